@@ -4,7 +4,8 @@
     python3 verify_certificate.py FILE...      (or from standard input)
 
 A file holds certificates as plumb::certificate_text writes them, one a line.  For each a line says what is proved, or
-why nothing is; the status is 0 where all are.  What the numbers mean, and why they prove it: docs/convex.md.
+why nothing is; the status is 0 where all are.  What may be written, what the numbers mean, and why they prove it:
+docs/convex.md.
 """
 
 import json
@@ -13,6 +14,9 @@ import re
 import struct
 import sys
 from fractions import Fraction
+
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)
 
 
 class Refused(Exception):
@@ -24,23 +28,51 @@ def require(condition, flaw):
         raise Refused(flaw)
 
 
+# The text is JSON of one line.  Its only numbers are those of corners; no member is given twice.
+
+def index(text):
+    require(re.fullmatch("0|[1-9][0-9]{0,9}", text), f"{text} is not the number of a corner")
+    return int(text)
+
+
+def no_number(text):
+    raise Refused(f"{text} is not the number of a corner")
+
+
+def once(members):
+    record = dict(members)
+    require(len(record) == len(members), "a member is given twice")
+    return record
+
+
+def read(line):
+    text = line[:-1] if line.endswith(b"\n") else line
+    require(b"\n" not in text, "a certificate is one line")
+    return json.loads(text.decode("utf-8"), object_pairs_hook=once, parse_int=index, parse_float=no_number,
+                      parse_constant=no_number)
+
+
 # Numbers are texts: "-3/8", "5", or hexadecimal doubles, "0x1.8p-3".
 
 def real(text):
     require(isinstance(text, str), "a number is no text")
-    written = re.fullmatch(r"-?0x[0-9a-fA-F]+(\.[0-9a-fA-F]*)?(p[+-]?[0-9]+)?", text)
-    require(written, f"{text!r} is no hexadecimal double")
+    require(re.fullmatch(r"-?0x[01](\.[0-9a-f]{1,13})?p[+-](0|[1-9][0-9]{0,3})", text),
+            f"{text!a} is no hexadecimal double")
+    digits, power = text.split("p")
+    whole, _, part = digits.partition(".")
+    value = int(whole + part, 16) * Fraction(2) ** (int(power) - 4 * len(part))
     try:
-        return Fraction(float.fromhex(text))
+        require(float(value) == value, f"{text!a} is between two doubles")
     except OverflowError:
-        raise Refused(f"{text!r} is beyond all doubles") from None
+        raise Refused(f"{text!a} is beyond all doubles") from None
+    return value
 
 
 def exact(text):
     require(isinstance(text, str), "a number is no text")
     if "x" in text:
         return real(text)
-    require(re.fullmatch(r"-?[0-9]+(/[0-9]*[1-9][0-9]*)?", text), f"{text!r} is no fraction")
+    require(re.fullmatch("0|-?[1-9][0-9]*(/[1-9][0-9]*)?", text), f"{text!a} is no fraction")
     return Fraction(text)
 
 
@@ -54,9 +86,14 @@ def vector(values, number=real):
     return tuple(number(x) for x in items(values, 3))
 
 
-def member(record, key):
-    require(isinstance(record, dict) and key in record, f"{key} is missing")
-    return record[key]
+def members(record, *wanted, optional=()):
+    """Those wanted, in their order; there are no others than these and the optional ones."""
+    require(isinstance(record, dict), "an object is missing")
+    for key in record:
+        require(key in wanted or key in optional, f"{key!a} is not known here")
+    for key in wanted:
+        require(key in record, f"{key} is missing")
+    return [record[key] for key in wanted]
 
 
 def dot(u, v):
@@ -85,22 +122,27 @@ def corners_along(at, ways, both):
 
 
 def standing(body):
+    """The corners as they are without the pose, and the radius."""
+    require(isinstance(body, dict), "a body is missing")
+    if "vertices" in body and "radius" in body:
+        vertices, radius = members(body, "vertices", "radius", optional=["pose"])
+        require(len(items(vertices)) in (1, 2), "a radius is of one vertex, or of two")
+        return [vector(p) for p in vertices], real(radius)
     if "vertices" in body:
-        corners = [vector(p) for p in items(body["vertices"])]
-        require("radius" not in body or len(corners) in (1, 2), "a radius is of one vertex, or of two")
-        return corners
+        [vertices] = members(body, "vertices", optional=["pose"])
+        return [vector(p) for p in items(vertices)], Fraction(0)
     if "min" in body:
-        least, most = vector(body["min"]), vector(member(body, "max"))
+        least, most = (vector(p) for p in members(body, "min", "max", optional=["pose"]))
         require(all(low <= high for low, high in zip(least, most)), "the box is empty")
-        return [tuple((most if i >> k & 1 else least)[k] for k in range(3)) for i in range(8)]
+        return [tuple((most if i >> k & 1 else least)[k] for k in range(3)) for i in range(8)], Fraction(0)
     if "corner" in body:
-        member(body, "radius")
-        return corners_along(vector(body["corner"]), [vector(e) for e in items(member(body, "edges"), 2)], False)
-    axes = [vector(axis) for axis in items(member(body, "axes"))]
+        corner, edges, radius = members(body, "corner", "edges", "radius", optional=["pose"])
+        return corners_along(vector(corner), [vector(e) for e in items(edges, 2)], False), real(radius)
+    center, axes, half = members(body, "center", "axes", "half", optional=["pose"])
+    axes = [vector(axis) for axis in items(axes)]
     require(len(axes) in (2, 3), "a box has two axes, or three")
-    half = [abs(real(h)) for h in items(member(body, "half"), len(axes))]
-    ways = [tuple(h * x for x in axis) for axis, h in zip(axes, half)]
-    return corners_along(vector(member(body, "center")), ways, True)
+    ways = [tuple(abs(real(h)) * x for x in axis) for axis, h in zip(axes, items(half, len(axes)))]
+    return corners_along(vector(center), ways, True), Fraction(0)
 
 
 def root(x):
@@ -110,14 +152,12 @@ def root(x):
 
 
 def body_of(body):
-    require(isinstance(body, dict), "a body is missing")
-    corners = standing(body)
+    corners, radius = standing(body)
     require(corners, "a body has no corner")
-    radius = real(body["radius"]) if "radius" in body else Fraction(0)
     require(radius >= 0, "a radius is negative")
     if "pose" in body:
-        columns = [vector(c) for c in items(member(body["pose"], "columns"), 3)]
-        translation = vector(member(body["pose"], "translation"))
+        columns, translation = members(body["pose"], "columns", "translation")
+        columns, translation = [vector(c) for c in items(columns, 3)], vector(translation)
         rows = list(zip(*columns))
         corners = [tuple(dot(row, p) + t for row, t in zip(rows, translation)) for p in corners]
         if radius > 0:
@@ -133,14 +173,11 @@ def body_of(body):
 def difference_of(pairs, a, b):
     """The point of a that the weights make, less that of b."""
     whole, d = Fraction(0), (Fraction(0),) * 3
-    for pair in pairs:
-        weight = exact(member(pair, "weight"))
-        for key, corners in (("a", a), ("b", b)):
-            index = member(pair, key)
-            require(type(index) is int and 0 <= index < len(corners), f"there is no corner {index!r} of {key}")
+    for i, j, weight in pairs:
+        require(i < len(a) and j < len(b), f"there is no corner {i} of a, or {j} of b")
         require(weight > 0, "a weight is not above zero")
         whole += weight
-        d = plus(d, plus(a[pair["a"]], b[pair["b"]], -1), weight)
+        d = plus(d, plus(a[i], b[j], -1), weight)
     require(whole == 1, "the weights do not add up to 1")
     return d
 
@@ -170,7 +207,7 @@ def in_span(basis, v):
 
 def is_rounded(text, square, inset):
     """Is it the double nearest to root(square) - inset, or to zero where that is negative?"""
-    require(text == "infinity" or real(text) >= 0 and not str(text).startswith("-"), "the distance is negative")
+    require(text == "infinity" or real(text) >= 0 and not text.startswith("-"), "the distance is negative")
     infinity = 0x7FF0000000000000
     bits = infinity if text == "infinity" else struct.unpack(">Q", struct.pack(">d", float.fromhex(text)))[0]
 
@@ -185,12 +222,21 @@ def is_rounded(text, square, inset):
     return (bits == 0 or beyond_middle(bits - 1) >= ties) and (bits == infinity or beyond_middle(bits + 1) <= -ties)
 
 
+def pair_of(record):
+    i, j, weight = members(record, "a", "b", "weight")
+    require(type(i) is int and type(j) is int, "a corner is named by no number")
+    return i, j, exact(weight)
+
+
 def prove(record):
-    claim = member(record, "claim")
+    require(isinstance(record, dict), "an object is missing")
+    claim = record.get("claim")
     require(claim in ("disjoint", "touching", "overlapping", "intersecting", "distance"), "it claims nothing known")
-    (a, radius_a), (b, radius_b) = body_of(member(record, "a")), body_of(member(record, "b"))
+    numbers = ("distance", "square", "inset") if claim == "distance" else ()
+    pairs, a, b, *_ = members(record, "pairs", "a", "b", "claim", *numbers, optional=["direction"])
+    (a, radius_a), (b, radius_b) = body_of(a), body_of(b)
     radii = radius_a + radius_b
-    pairs = items(member(record, "pairs"))
+    pairs = [pair_of(pair) for pair in items(pairs)]
     n = vector(record["direction"], exact) if "direction" in record else None
     require(claim == "distance" or (n is not None) == (claim in ("disjoint", "touching")), "a direction, or none")
     if claim == "disjoint":
@@ -211,13 +257,13 @@ def prove(record):
     elif claim == "overlapping":
         require(square == 0, "the pairs make no common point")
         ways = [plus(p, corners[0], -1) for corners in (a, b) for p in corners]
-        require(spans([plus(a[p["a"]], b[p["b"]], -1) for p in pairs], ways), "the pairs do not span the bodies")
+        require(spans([plus(a[i], b[j], -1) for i, j, _ in pairs], ways), "the pairs do not span the bodies")
     elif claim == "intersecting":
         require(square <= radii**2, "the points of the pairs are farther apart than the radii reach")
     else:
-        require(exact(member(record, "square")) == square, "the square is not that of the points of the pairs")
-        require(exact(member(record, "inset")) == radii, "the inset is not the sum of the radii")
-        require(is_rounded(member(record, "distance"), square, radii), "the distance is not the nearest double")
+        require(exact(record["square"]) == square, "the square is not that of the points of the pairs")
+        require(exact(record["inset"]) == radii, "the inset is not the sum of the radii")
+        require(is_rounded(record["distance"], square, radii), "the distance is not the nearest double")
         require((n is not None) == (square > 0), "a direction, or none")
         if square > 0:
             gap, _ = gap_along(n, a, b)
@@ -227,19 +273,18 @@ def prove(record):
 
 
 def verdict(line):
+    """Of the bytes of a certificate."""
     try:
-        return True, "proved: " + prove(json.loads(line))
+        return True, "proved: " + prove(read(line))
     except (Refused, ValueError, RecursionError) as flaw:
         return False, f"refused: {flaw}"
 
 
 def main(paths):
-    if hasattr(sys, "set_int_max_str_digits"):
-        sys.set_int_max_str_digits(0)
     good = True
     for path in paths or ["/dev/stdin"]:
-        with open(path, encoding="utf-8") as lines:
-            for line in filter(str.strip, lines):
+        with open(path, "rb") as lines:
+            for line in filter(lambda blank: blank.strip(b" \t\r\n"), lines):
                 proved, text = verdict(line)
                 good = good and proved
                 print(text)

@@ -1,6 +1,7 @@
 // What must hold of any bytes that are given to a mesh reader.
 //
-// Laws: they are refused with an Error, or become a sound mesh; that mesh triangulates into n - 2 triangles a face, its
+// Laws: they are refused with an Error, or become a sound mesh; whatever a stricter reading takes, a laxer one reads
+// alike, and a strict one passes nothing over; that mesh triangulates into n - 2 triangles a face, its
 // statistics add up, and it comes back unchanged, bit for bit, through every format that can hold it.
 #pragma once
 
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <optional>
 #include <string_view>
 
 #include "plumb/surface.hpp"
@@ -47,17 +49,35 @@ inline void require_consistent(const TriangleMesh& mesh) {
   require(said.zero_area_faces >= said.repeated_corners, "a face that repeats a vertex has no area");
 }
 
+inline std::optional<PolygonMesh> read_as(std::string_view bytes, MeshFormat format, Strictness strictness,
+                                          LoadReport& report) try {
+  PolygonMesh mesh = parse_mesh(bytes, format, "fuzz", &report, {.strictness = strictness});
+  require_sound(mesh);
+  return mesh;
+} catch (const MeshFileError& e) {
+  require(std::string_view(e.what()).starts_with("fuzz:"), "an error names the file");
+  return std::nullopt;
+}
+
+/// As the laxest reading has it.
+inline std::optional<PolygonMesh> read_in_every_way(std::string_view bytes, MeshFormat format, LoadReport& report) {
+  const auto strict = read_as(bytes, format, Strictness::strict, report);
+  require(!strict || report.passed_over.empty(), "a strict reading passes nothing over");
+  const auto usual = read_as(bytes, format, Strictness::usual, report);
+  require(!strict || (usual && same(*strict, *usual)), "what is read strictly is read alike");
+  auto lenient = read_as(bytes, format, Strictness::lenient, report);
+  require(!usual || (lenient && same(*usual, *lenient)), "what is read usually is read alike");
+  require(usual || !lenient || !report.passed_over.empty(), "what is forgiven is told");
+  return lenient;
+}
+
 inline int read_and_return(const std::uint8_t* data, std::size_t size, MeshFormat format) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  PolygonMesh mesh;
   LoadReport report;
-  try {
-    static_cast<void>(recognize_format("fuzz", bytes));
-    mesh = parse_mesh(bytes, format, "fuzz", &report);
-  } catch (const Error&) {
-    return 0;
-  }
-  require_sound(mesh);
+  static_cast<void>(recognize_format("fuzz", bytes));
+  const auto read = read_in_every_way(bytes, format, report);
+  if (!read) return 0;
+  const PolygonMesh& mesh = *read;
   require(report.inexact_decimals <= report.decimals, "no more moved than were read");
   require((report.inexact_decimals > 0) == (report.largest_move > 0), "what moved has moved by something");
   const TriangleMesh triangles = triangulate(mesh);

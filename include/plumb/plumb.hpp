@@ -3,6 +3,7 @@
 #pragma once
 
 #include "plumb/certify/accepted.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query.hpp"

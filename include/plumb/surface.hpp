@@ -6,9 +6,11 @@
 
 #include "plumb/figure/basic/mesh.hpp"    // TriangleMesh, PolygonMesh
 #include "plumb/surface/decimal.hpp"      // which double a decimal is
+#include "plumb/surface/defects.hpp"      // bow ties, T-junctions, double faces, close vertices
 #include "plumb/surface/mesh_file.hpp"    // formats, and MeshFileError
 #include "plumb/surface/read_mesh.hpp"    // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
 #include "plumb/surface/section.hpp"      // contours of one plane or many
-#include "plumb/surface/topology.hpp"     // neighbors, open edges, components
+#include "plumb/surface/shells.hpp"       // components: which lies in which, which is inside out, volumes
+#include "plumb/surface/topology.hpp"     // neighbors, open edges
 #include "plumb/surface/triangulate.hpp"  // polygons into triangles
 #include "plumb/surface/write_mesh.hpp"   // to a file, or to text

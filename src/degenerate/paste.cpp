@@ -95,6 +95,37 @@ std::string cpp_judged(const Kind& kind, std::span<const double> numbers, std::s
       .append(")(numbers);\n  EXPECT_EQ(judge(kind, numbers, given, kind.tolerance).sort, \"\");\n");
 }
 
+bool is_number(const std::string& word) {
+  if (word == "inf" || word == "-inf") return true;
+  try {
+    static_cast<void>(parse_double(word));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// What words(kind, answer) makes of some answer.
+bool is_answer(const Kind& kind, const std::string& text) {
+  if (text == "NaN" || text == "no answer") return true;  // where none is known
+  switch (kind.form) {
+    case AnswerForm::sign:
+      return text == "+" || text == "0" || text == "-";
+    case AnswerForm::yes_no:
+      return text == "yes" || text == "no";
+    case AnswerForm::number:
+      return is_number(text);
+    case AnswerForm::hit:
+      return text == "yes" || text == "no" || (text.starts_with("yes at ") && is_number(text.substr(7)));
+    case AnswerForm::triangles:
+      break;
+  }
+  const std::size_t end = text.find_first_not_of("0123456789");
+  if (end == 0 || end == text.npos || text.compare(end, 10, " triangles") != 0) return false;
+  const std::string list = text.substr(end + 10);
+  return list.empty() || (list.starts_with(": (") && list.find_first_not_of("0123456789 ()", 1) == list.npos);
+}
+
 }  // namespace
 
 std::string case_line(const Kind& kind, std::span<const double> numbers) {
@@ -106,13 +137,25 @@ std::string case_line(const Kind& kind, std::span<const double> numbers) {
 }
 
 std::optional<Numbers> parse_case(const Kind& kind, std::string_view line) {
-  std::istringstream in{std::string(line.substr(0, line.find_first_of("=#")))};
+  line = line.substr(0, line.find('#'));
+  const std::size_t sign = line.find('=');
+  std::istringstream in{std::string(line.substr(0, sign))};
   std::string word;
   if (!(in >> word) || word != kind.name) return std::nullopt;
   Numbers numbers;
   while (in >> word) numbers.push_back(parse_double(word));
   if (const std::string flaw = flaw_of(kind, numbers); !flaw.empty()) throw Error(flaw);
-  return numbers;
+  if (sign == line.npos) return numbers;
+  constexpr std::string_view blank = " \t\r\n";
+  std::string_view answer = line.substr(sign + 1);
+  answer.remove_prefix(std::min(answer.find_first_not_of(blank), answer.size()));
+  answer = answer.substr(0, answer.find_last_not_of(blank) + 1);
+  if (is_answer(kind, std::string(answer))) return numbers;
+  throw Error(std::string("'")
+                  .append(answer)
+                  .append("' after '=' is no answer of ")
+                  .append(kind.name)
+                  .append("; give one as " + words(kind, kind.exact(numbers)) + ", or leave it out with the '='"));
 }
 
 std::string decimal_text(const Kind& kind, std::span<const double> numbers) {

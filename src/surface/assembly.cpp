@@ -12,6 +12,13 @@ void Assembly::charge(std::uint64_t count, std::uint64_t bytes_each) {
   left_ -= count * bytes_each;
 }
 
+void Assembly::also_read(std::uint64_t bytes) {
+  parse_.read += bytes;
+  const std::uint64_t limit = unpacked_limit(parse_.read, parse_.options);
+  left_ += limit - parse_.limit;
+  parse_.limit = limit;
+}
+
 std::uint32_t Assembly::place(std::span<const Point3> vertices, const Placement& placement, const std::string& part) {
   charge(vertices.size(), sizeof(Point3));
   auto& all = parse_.mesh.vertices;

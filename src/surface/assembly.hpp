@@ -26,6 +26,9 @@ class Assembly {
   /// What is about to be taken: fails where it is more than the limit leaves.
   void charge(std::uint64_t count, std::uint64_t bytes_each);
 
+  /// A file of this size is read as well: the limit grows as if it were in the one that names it.
+  void also_read(std::uint64_t bytes);
+
   /// The vertices, moved; the number of the first of them in the mesh.  `part` is named in errors.
   std::uint32_t place(std::span<const Point3> vertices, const Placement& placement, const std::string& part);
   /// Triangles of vertices so numbered from `first` on.

@@ -15,6 +15,9 @@
 
 namespace plumb::surface {
 
+/// "1 byte", "2 bytes"
+inline std::string bytes_text(std::uint64_t n) { return std::to_string(n) + (n == 1 ? " byte" : " bytes"); }
+
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, std::string_view file, std::size_t at, std::endian order)
@@ -23,6 +26,9 @@ class ByteReader {
   [[nodiscard]] std::size_t offset() const { return at_; }
   [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
   [[nodiscard]] std::string_view rest() const { return bytes_.substr(at_); }
+
+  /// What lies from there on is not looked at.
+  void end_at(std::size_t end) { bytes_ = bytes_.substr(0, end); }
 
   /// Fails when fewer than count * size bytes are left.
   void require(std::uint64_t count, std::uint64_t size, const char* what) const {
@@ -53,7 +59,6 @@ class ByteReader {
   }
 
  private:
-  static std::string bytes_text(std::uint64_t n) { return std::to_string(n) + (n == 1 ? " byte" : " bytes"); }
   /// "3 times 12 bytes", "118 bytes"
   static std::string length_text(std::uint64_t count, std::uint64_t size) {
     if (count == 1 || size == 1) return bytes_text(count == 1 ? size : count);

@@ -18,11 +18,12 @@ struct ForeignFormat {
 };
 
 constexpr std::string_view solids = "CAD format of curved solids, no mesh", scene_format = "scene format, not read",
-                           cells = "format of volume cells, not read";
+                           cells = "format of volume cells, not read",
+                           packed_file = "packed file, of which gzip's are read";
 constexpr std::string_view by_cad = "export STL or 3MF from the CAD program that wrote it";
 constexpr std::string_view by_blender = "convert it to glTF or OBJ with Blender or `assimp export`";
 constexpr std::string_view by_meshio = "convert its surface to STL or PLY with meshio or ParaView";
-constexpr std::array<ForeignFormat, 22> formats{{
+constexpr std::array<ForeignFormat, 28> formats{{
     {"STEP",
      solids,
      {".step", ".stp", ".p21", ".stpz"},
@@ -48,6 +49,17 @@ constexpr std::array<ForeignFormat, 22> formats{{
     {"VRML or X3D", scene_format, {".wrl", ".x3d", ".x3dv"}, "#VRML", by_blender},
     {"USD", scene_format, {".usd", ".usda", ".usdc", ".usdz"}, "PXR-USDC", by_blender},
     {"VTK", cells, {".vtk", ".vtu", ".vtp"}, "# vtk DataFile", by_meshio},
+    {"bzip2", packed_file, {".bz2"}, "BZh91AY&SY", "unpack it with `bunzip2`"},
+    {"xz",
+     packed_file,
+     {".xz", ".txz"},
+     "\xFD"
+     "7zXZ",
+     "unpack it with `unxz`"},
+    {"Zstandard", packed_file, {".zst"}, "\x28\xB5\x2F\xFD", "unpack it with `unzstd`"},
+    {"LZ4", packed_file, {".lz4"}, "\x04\x22\x4D\x18", "unpack it with `unlz4`"},
+    {"7-Zip", packed_file, {".7z"}, "7z\xBC\xAF\x27\x1C", "unpack it with `7z x`"},
+    {"compress", packed_file, {".z"}, "\x1F\x9D", "unpack it with `uncompress`"},
     {"Gmsh's own", cells, {".msh"}, "$MeshFormat", "write its surface with `gmsh part.msh -2 -o part.stl`"},
 }};
 
@@ -68,6 +80,12 @@ bool is_iges(std::string_view bytes) {
 std::optional<std::string> foreign_by_content(std::string_view bytes) {
   for (const ForeignFormat& f : formats)
     if ((!f.mark.empty() && bytes.starts_with(f.mark)) || (f.name == "IGES" && is_iges(bytes))) return said_of(f);
+  return std::nullopt;
+}
+
+std::optional<std::string> packer_by_content(std::string_view bytes) {
+  for (const ForeignFormat& f : formats)
+    if (f.kind == packed_file && bytes.starts_with(f.mark)) return said_of(f);
   return std::nullopt;
 }
 

@@ -14,6 +14,8 @@ namespace plumb::surface {
 
 /// "this is STEP, ...: convert it with ...", by the bytes' mark.
 std::optional<std::string> foreign_by_content(std::string_view bytes);
+/// The same of packers alone, but for gzip, whose work is read.
+std::optional<std::string> packer_by_content(std::string_view bytes);
 /// The same by the extension.
 std::optional<std::string> foreign_by_extension(const std::filesystem::path& path);
 

@@ -55,10 +55,14 @@ void GltfDocument::read_glb() {
     reader.fail(MeshFileProblem::unsupported,
                 "binary glTF of version " + std::to_string(version) + ", expected 2; export it as glTF 2");
   const auto length = reader.read<std::uint32_t>("the length");
-  if (length != parse_.bytes.size())
+  if (length < parse_.bytes.size() && length >= reader.offset() && parse_.lenient()) {
+    parse_.pass_over_at_byte("appendices behind the last chunk", length, bytes_text(parse_.bytes.size() - length));
+    reader.end_at(length);
+  } else if (length != parse_.bytes.size()) {
     reader.fail(length > parse_.bytes.size() ? MeshFileProblem::truncated : MeshFileProblem::syntax,
                 "claims " + std::to_string(length) + " bytes in all, but the file has " +
                     std::to_string(parse_.bytes.size()) + "; fetch or export it again");
+  }
   std::optional<std::string_view> text;
   while (reader.left() != 0) {
     const auto size = reader.read<std::uint32_t>("a chunk's length");
@@ -118,7 +122,7 @@ std::uint64_t GltfDocument::whole(const Json& of, const std::string& key, const 
   return at->get<std::uint64_t>();
 }
 
-std::string GltfDocument::read_uri(const std::string& uri, const std::string& where) {
+std::string GltfDocument::read_uri(const std::string& uri, const std::string& where, std::uint64_t length) {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(',');
     const std::string_view head = std::string_view(uri).substr(0, comma);
@@ -135,9 +139,10 @@ std::string GltfDocument::read_uri(const std::string& uri, const std::string& wh
   if (!path)
     fail(MeshFileProblem::unreadable, where,
          "names " + in_quotes(uri) + ", expected a file in the glTF's own folder; put it there");
-  auto bytes = bytes_of(*path);
+  auto bytes = bytes_of(*path, length);
   if (!bytes)
     fail(MeshFileProblem::missing, where, "names " + in_quotes(uri) + ", which cannot be read; put it beside the glTF");
+  assembly_.also_read(bytes->size());
   parse_.report.files_beside.push_back(*path);
   return std::move(*bytes);
 }
@@ -150,7 +155,8 @@ std::string_view GltfDocument::buffer(std::uint64_t index) {
   std::string_view bytes;
   if (uri != b.end() && uri->is_string()) {
     auto known = buffers_.find(index);
-    if (known == buffers_.end()) known = buffers_.emplace(index, read_uri(uri->get<std::string>(), where)).first;
+    if (known == buffers_.end())
+      known = buffers_.emplace(index, read_uri(uri->get<std::string>(), where, length)).first;
     bytes = known->second;
   } else if (index == 0 && binary_) {
     bytes = *binary_;
@@ -212,8 +218,9 @@ std::vector<std::uint32_t> GltfDocument::indices(std::uint64_t accessor, const s
     fail(MeshFileProblem::syntax, where, "holds no indices, expected SCALAR of 8, 16 or 32 bits; export it again");
   if (a.contains("sparse") || !a.contains("bufferView"))
     fail(MeshFileProblem::unsupported, where, "holds sparse indices, expected plain ones; export it again");
+  const Elements from = elements(a, "bufferView", count, size_of(type), where);
   assembly_.charge(count, sizeof(std::uint32_t));
-  return scalars(elements(a, "bufferView", count, size_of(type), where), count, type);
+  return scalars(from, count, type);
 }
 
 std::vector<Point3> GltfDocument::points(std::uint64_t accessor, const std::string& named_by) {
@@ -227,10 +234,11 @@ std::vector<Point3> GltfDocument::points(std::uint64_t accessor, const std::stri
   if (type != f32)
     fail(MeshFileProblem::unsupported, where,
          "holds positions in integers (KHR_mesh_quantization); unpack them with `gltf-transform dequantize`");
+  const bool is_viewed = a.contains("bufferView");
+  const Elements from = is_viewed ? elements(a, "bufferView", count, 12, where) : Elements{};
   assembly_.charge(count, sizeof(Point3));
   std::vector<Point3> points(count);
-  if (a.contains("bufferView")) {
-    const Elements from = elements(a, "bufferView", count, 12, where);
+  if (is_viewed) {
     for (std::uint64_t i = 0; i < count; ++i) {
       const char* const at = from.at(i);
       points[i] = {number_at<float>(at), number_at<float>(at + 4), number_at<float>(at + 8)};

@@ -62,7 +62,8 @@ class GltfDocument {
   void read_json(std::string_view text);
   void read_glb();
   std::string_view buffer(std::uint64_t index);
-  std::string read_uri(const std::string& uri, const std::string& where);
+  /// As much as there is of that length, or more.
+  std::string read_uri(const std::string& uri, const std::string& where, std::uint64_t length);
   Elements elements(const Json& of, const std::string& view_key, std::uint64_t count, std::uint64_t size,
                     const std::string& where);
   void fill_sparse(const Json& accessor, std::uint64_t count, const std::string& where, std::vector<Point3>& points);

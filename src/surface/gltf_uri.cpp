@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 namespace plumb::surface {
 namespace {
@@ -30,7 +29,7 @@ std::optional<std::string> unescaped(std::string_view uri) {
       continue;
     }
     const int high = i + 2 < uri.size() ? digit16(uri[i + 1]) : -1, low = i + 2 < uri.size() ? digit16(uri[i + 2]) : -1;
-    if (high < 0 || low < 0 || (high == 0 && low == 0)) return std::nullopt;
+    if (high < 0 || low < 0) return std::nullopt;
     path += static_cast<char>(16 * high + low);
     i += 2;
   }
@@ -60,8 +59,8 @@ std::optional<std::string> from_base64(std::string_view text) {
 
 std::optional<fs::path> file_beside(const fs::path& folder, std::string_view uri) {
   const auto name = unescaped(uri);
-  if (!name || name->empty() || name->find(':') != std::string::npos || name->find('\\') != std::string::npos)
-    return std::nullopt;
+  constexpr std::string_view never(":\\\0", 3);
+  if (!name || name->empty() || name->find_first_of(never) != std::string::npos) return std::nullopt;
   const fs::path relative(*name);
   if (relative.is_absolute() || std::find(relative.begin(), relative.end(), "..") != relative.end())
     return std::nullopt;
@@ -74,11 +73,14 @@ std::optional<fs::path> file_beside(const fs::path& folder, std::string_view uri
   return place;
 }
 
-std::optional<std::string> bytes_of(const fs::path& path) {
+std::optional<std::string> bytes_of(const fs::path& path, std::uint64_t most) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) return std::nullopt;
+  std::string bytes(static_cast<std::size_t>(std::min<std::uint64_t>(size, most)), '\0');
   std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!file) return std::nullopt;
   return bytes;
 }

@@ -18,11 +18,21 @@ namespace plumb::surface {
 
 struct Parse {
   std::string_view bytes, file;
-  std::uint64_t limit = 0;         // of what is unpacked, and of what parts multiply to, in bytes
+  std::uint64_t limit = 0;  // of what is unpacked, and of what parts multiply to, in bytes
+  std::uint64_t read = 0;   // that are in files, this one and those beside it; the limit grows with them
+  ReadOptions options{};
   std::filesystem::path folder{};  // where the files beside this one are; empty where it is no file
   PolygonMesh mesh{};
   LoadReport report{};
   DecimalReader decimals{};
+
+  [[nodiscard]] bool lenient() const { return options.strictness == Strictness::lenient; }
+
+  /// Notes what is not read, `found` in a line, or where that is empty the file's end; a strict reading refuses it.
+  /// `what` names the sort in the plural.
+  void pass_over_in_line(std::string_view what, std::uint64_t line, std::string_view found);
+  /// The same at a byte, of a lenient reading.
+  void pass_over_at_byte(std::string_view what, std::uint64_t byte, const std::string& found);
 
   /// Ends the face whose corners were put at the end of mesh.corners; drops it when they are fewer than three.
   void end_face() {

@@ -74,6 +74,11 @@ void read_property(TextLines& lines, std::vector<PlyElement>& elements) {
   property.type = read_type(lines, token);
   property.name = lines.require_token("the property's name");
   property.role = role_of(element, property.name);
+  const bool is_coordinate = property.role == Role::x || property.role == Role::y || property.role == Role::z;
+  property.entry = (property.count_type ? "an entry of list "
+                    : is_coordinate     ? "coordinate "
+                                        : "property ") +
+                   (is_coordinate ? property.name : in_quotes(property.name));
   const std::string name = "property " + in_quotes(property.name) + " of element " + in_quotes(element.name);
   const bool corners = property.role == Role::corners || property.role == Role::strip;
   if (property.role != Role::ignored && corners != property.count_type.has_value())

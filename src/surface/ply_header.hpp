@@ -25,6 +25,7 @@ struct PlyProperty {
   PlyType type = PlyType::int8;
   std::optional<PlyType> count_type;  // of a list
   Role role = Role::ignored;
+  std::string entry;  // what errors call a value of it: "coordinate x"
 };
 
 struct PlyElement {

@@ -27,6 +27,9 @@ struct CloseFile {
 
 std::string read_file(const std::filesystem::path& path) {
   const std::string name = path.string();
+  if (name.find('\0') != std::string::npos)  // the system would open what is named before it
+    fail_at_file(MeshFileProblem::missing, surface::in_quotes(name),
+                 "there is no such file, for a name holds no zero byte; check the path");
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (status.type() == std::filesystem::file_type::not_found)
@@ -72,6 +75,35 @@ MeshFormat format_of(const std::filesystem::path& path, std::string_view bytes, 
 }  // namespace
 
 namespace surface {
+namespace {
+
+/// The entry of this sort, one more.
+PassedOver& counted(std::vector<PassedOver>& all, std::string_view what) {
+  auto at = std::find_if(all.begin(), all.end(), [what](const PassedOver& p) { return p.what == what; });
+  if (at == all.end()) at = all.insert(all.end(), PassedOver{std::string(what), 0, {}, {}, {}});
+  ++at->count;
+  return *at;
+}
+
+}  // namespace
+
+void Parse::pass_over_in_line(std::string_view what, std::uint64_t line, std::string_view found) {
+  if (options.strictness == Strictness::strict)
+    fail_at_line(MeshFileProblem::syntax, file, line,
+                 "found " + in_quotes(found) + ", expected a file without " + std::string(what) +
+                     "; mend or delete it, or read less strictly");
+  PassedOver& entry = counted(report.passed_over, what);
+  if (entry.count != 1) return;
+  entry.line = line;
+  entry.first = found.empty() ? "the file ends" : in_quotes(found);
+}
+
+void Parse::pass_over_at_byte(std::string_view what, std::uint64_t byte, const std::string& found) {
+  PassedOver& entry = counted(report.passed_over, what);
+  if (entry.count != 1) return;
+  entry.byte = byte;
+  entry.first = found;
+}
 
 std::uint64_t unpacked_limit(std::uint64_t packed, const ReadOptions& options) {
   constexpr std::uint64_t free_bytes = std::uint64_t{16} << 20, most = std::numeric_limits<std::uint64_t>::max();
@@ -84,6 +116,35 @@ std::uint64_t unpacked_limit(std::uint64_t packed, const ReadOptions& options) {
 
 namespace {
 
+void parse_format(surface::Parse& parse) {
+  switch (parse.report.format) {
+    case MeshFormat::obj:
+      return surface::parse_obj(parse);
+    case MeshFormat::off:
+      return surface::parse_off(parse);
+    case MeshFormat::stl:
+      return surface::parse_stl(parse);
+    case MeshFormat::ply:
+      return surface::parse_ply(parse);
+    case MeshFormat::three_mf:
+      return surface::parse_3mf(parse);
+    case MeshFormat::gltf:
+      return surface::parse_gltf(parse);
+  }
+}
+
+// What is as its format has it is read as ever; only what is refused then is looked at with leniency.
+void parse_leniently(surface::Parse& parse) {
+  const surface::Parse fresh = parse;
+  try {
+    parse.options.strictness = Strictness::usual;
+    parse_format(parse);
+  } catch (const MeshFileError&) {
+    parse = fresh;
+    parse_format(parse);
+  }
+}
+
 // `packed` is the size of the file that the bytes came from.
 PolygonMesh parse_as(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report,
                      const ReadOptions& options, std::uint64_t packed, const std::filesystem::path& folder) {
@@ -91,27 +152,13 @@ PolygonMesh parse_as(std::string_view bytes, MeshFormat format, std::string_view
   surface::Parse parse{.bytes = bytes, .file = name};
   parse.limit = surface::unpacked_limit(packed, options);
   parse.folder = folder;
+  parse.read = packed;
+  parse.options = options;
   parse.report.format = format;
-  switch (format) {
-    case MeshFormat::obj:
-      surface::parse_obj(parse);
-      break;
-    case MeshFormat::off:
-      surface::parse_off(parse);
-      break;
-    case MeshFormat::stl:
-      surface::parse_stl(parse);
-      break;
-    case MeshFormat::ply:
-      surface::parse_ply(parse);
-      break;
-    case MeshFormat::three_mf:
-      surface::parse_3mf(parse);
-      break;
-    case MeshFormat::gltf:
-      surface::parse_gltf(parse);
-      break;
-  }
+  if (parse.lenient())
+    parse_leniently(parse);
+  else
+    parse_format(parse);
   PolygonMesh& mesh = parse.mesh;
   LoadReport& said = parse.report;
   said.bytes = bytes.size();
@@ -152,8 +199,9 @@ PolygonMesh parse_any(std::string_view bytes, const std::filesystem::path& path,
 
 }  // namespace
 
-PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report) {
-  return parse_as(bytes, format, name, report, {}, bytes.size(), {});
+PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report,
+                       const ReadOptions& options) {
+  return parse_as(bytes, format, name, report, options, bytes.size(), {});
 }
 
 PolygonMesh parse_mesh(std::string_view bytes, const std::string& name, LoadReport* report,

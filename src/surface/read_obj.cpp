@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,25 @@ void read_face(Parse& parse, TextLines& lines, std::vector<ForwardReference>& fo
   parse.end_face();
 }
 
+// Statements that say nothing of where a polygon's corners are.  Those that would add to the surface are not among them
+// (curves, surfaces, patches, files called), so that what is lost with them is told.
+bool is_other_statement(std::string_view word) {
+  constexpr std::array<std::string_view, 32> words{
+      "vn",     "vt",   "vp",    "g",        "o",        "s",   "l",      "p",     "usemtl",    "mtllib",    "usemap",
+      "maplib", "mg",   "bevel", "c_interp", "d_interp", "lod", "cstype", "deg",   "bmat",      "step",      "parm",
+      "trim",   "hole", "scrv",  "sp",       "end",      "con", "ctech",  "stech", "trace_obj", "shadow_obj"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// Behind the coordinates there may be a weight, a color, or a color and one more.
+void read_vertex(Parse& parse, TextLines& lines) {
+  parse.mesh.vertices.push_back(lines.point(parse.decimals));
+  if (lines.at_line_end()) return;
+  const TextLines::Words behind = lines.words_left();
+  if (!behind.numbers || (behind.count != 1 && behind.count != 3 && behind.count != 4))
+    parse.pass_over_in_line("texts behind a vertex that are no weight and no color", lines.line(), behind.text);
+}
+
 }  // namespace
 
 void parse_obj(Parse& parse) {
@@ -64,12 +84,17 @@ void parse_obj(Parse& parse) {
   while (lines.next_line()) {
     const std::string_view keyword = lines.next_token();
     if (keyword == "v") {
-      parse.mesh.vertices.push_back(lines.point(parse.decimals));  // a weight or a color may follow
+      read_vertex(parse, lines);
     } else if (keyword == "f" || keyword == "fo") {
       read_face(parse, lines, forward);
-    } else if (keyword.find('\0') != std::string_view::npos) {
-      lines.fail(MeshFileProblem::syntax, "found binary data " + in_quotes(keyword) +
-                                              ", expected the text of an OBJ file; give the file's right name");
+    } else if (!is_other_statement(keyword)) {
+      if (keyword.find('\0') != std::string_view::npos)
+        lines.fail(MeshFileProblem::syntax, "found binary data " + in_quotes(keyword) +
+                                                ", expected the text of an OBJ file; give the file's right name");
+      const std::string_view rest = lines.rest();
+      parse.pass_over_in_line(
+          "lines that are no statement of OBJ", lines.line(),
+          {keyword.data(), rest.empty() ? keyword.data() + keyword.size() : rest.data() + rest.size()});
     }
   }
   const auto vertices = parse.mesh.vertices.size();

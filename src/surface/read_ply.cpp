@@ -22,6 +22,18 @@ std::string progress(const PlyElement& element, std::uint64_t have) {
          " that the header claims";
 }
 
+// A lenient reading takes fewer faces than the header claims, if there are any; where vertices are missing, what follows
+// is none of theirs.
+bool may_be_short(const Parse& parse, const PlyElement& element, std::uint64_t have) {
+  return parse.lenient() && element.name != "vertex" && (have > 0 || element.name != "face");
+}
+
+void note_short(Parse& parse, const PlyElement& element, std::uint64_t have) {
+  parse.pass_over_at_byte("counts in the header that are too high", parse.bytes.size(),
+                          "it claims " + std::to_string(element.count) + " of " + in_quotes(element.name) +
+                              ", where there are " + std::to_string(have));
+}
+
 // Triangles from a strip: each further vertex makes one with the two before it, every second one the other way around.
 // A strip that names a vertex twice does so to turn or to jump; that is no face.
 class Strip {
@@ -44,41 +56,58 @@ class Strip {
   std::uint64_t length_ = 0;
 };
 
+// Numbers on any lines; a lenient reading, which comes second, takes an element a line and passes over what follows it.
 class AsciiBody {
  public:
   AsciiBody(Parse& parse, const PlyHeader& header)
-      : parse_(parse), header_(header), lines_(parse.bytes.substr(header.size), parse.file, {}, header.first_line) {}
+      : parse_(parse),
+        header_(header),
+        lines_(parse.bytes.substr(header.size), parse.file, {.flowing = !parse.lenient()}, header.first_line) {}
 
   void read(const PlyElement& element) {
     if (element.properties.empty()) return;  // says nothing, however often
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      lines_.require_line(progress(element, i));
+      if (lines_.at_line_end() && !lines_.next_line()) {
+        if (may_be_short(parse_, element, i)) return note_short(parse_, element, i);
+        lines_.fail_at_end(progress(element, i));
+      }
       Point3 point{};
       for (const auto& property : element.properties) read(property, point);
-      if (const auto more = lines_.next_token(); !more.empty())
-        lines_.fail(MeshFileProblem::syntax, "found " + in_quotes(more) +
-                                                 " after the properties of the header, expected the "
-                                                 "end of the line; mend the line or the header");
+      if (!lines_.at_line_end()) note_long_line();
       if (element.name == "vertex") parse_.mesh.vertices.push_back(point);
       if (element.name == "face") parse_.end_face();
     }
   }
 
   void finish() {
-    if (lines_.next_line())
+    if (lines_.at_line_end() && !lines_.next_line()) return;
+    if (!parse_.lenient())
       lines_.fail(MeshFileProblem::syntax, "found " + in_quotes(lines_.rest()) +
                                                " after the last element, expected the end of the file; correct the "
                                                "counts in the header");
+    do {
+      parse_.pass_over_in_line("lines behind the last element", lines_.line(), lines_.rest());
+    } while (lines_.next_line());
   }
 
  private:
+  void note_long_line() {
+    if (parse_.lenient()) {
+      parse_.pass_over_in_line("texts behind an element that the header does not know", lines_.line(), lines_.rest());
+    } else if (!lines_.has_odd_line()) {
+      TextLines ahead = lines_;
+      lines_.note_odd_line("found " + in_quotes(ahead.rest()) +
+                           " after the properties of the header, expected the end of the line; mend the line or the "
+                           "header");
+    }
+  }
+
   void read(const PlyProperty& property, Point3& point) {
     if (property.count_type) {
       const std::uint64_t count = lines_.count("the list's length");
-      const std::string entry = "an entry of list " + in_quotes(property.name);
       Strip strip;
       for (std::uint64_t k = 0; k < count; ++k) {
-        const std::string_view token = lines_.require_token(entry);
+        const std::string_view token = lines_.require_token(property.entry);
         if (property.role == Role::corners) parse_.mesh.corners.push_back(lines_.index(token, header_.vertices));
         if (property.role != Role::strip) continue;
         if (token == "-1")
@@ -87,9 +116,9 @@ class AsciiBody {
           strip.add(lines_.index(token, header_.vertices), parse_);
       }
     } else if (property.role == Role::ignored) {
-      lines_.require_token("property " + in_quotes(property.name));
+      lines_.require_token(property.entry);
     } else {
-      coordinate_of(point, property.role) = lines_.coordinate(parse_.decimals, "coordinate " + property.name);
+      coordinate_of(point, property.role) = lines_.coordinate(parse_.decimals, property.entry);
     }
   }
 
@@ -107,15 +136,19 @@ class BinaryBody {
                header.encoding == MeshEncoding::binary_big_endian ? std::endian::big : std::endian::little) {}
 
   void read(const PlyElement& element) {
-    bytes_.require(element.count, element.size(), "the elements that the header claims");
     const bool vertex = element.name == "vertex", face = element.name == "face";
-    if (!vertex && !element.has_lists()) {
-      bytes_.skip(element.count, element.size(), "an element");
-      return;
+    const bool may_end = parse_.lenient() && !vertex;
+    const std::uint64_t size = element.size();
+    if (may_end && !element.has_lists() && size != 0 && bytes_.left() / size < element.count) {
+      note_short(parse_, element, bytes_.left() / size);
+      return bytes_.skip(bytes_.left(), 1, "an element");
     }
+    if (!may_end) bytes_.require(element.count, size, "the elements that the header claims");
+    if (!vertex && !element.has_lists()) return bytes_.skip(element.count, size, "an element");
     // At least three bytes a vertex were just found to be there.
     if (vertex) parse_.mesh.vertices.reserve(static_cast<std::size_t>(element.count));
     for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (bytes_.left() == 0 && may_be_short(parse_, element, i)) return note_short(parse_, element, i);
       Point3 point{};
       for (const auto& property : element.properties) read(property, point);
       if (vertex) parse_.mesh.vertices.push_back(point);
@@ -125,10 +158,12 @@ class BinaryBody {
 
   // Some writers end with a line end.
   void finish() const {
-    if (bytes_.rest().find_first_not_of(" \t\r\n") != std::string_view::npos)
+    if (bytes_.rest().find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+    if (!parse_.lenient())
       bytes_.fail(MeshFileProblem::syntax, "found " + std::to_string(bytes_.left()) +
                                                " more bytes after the last element, expected the end of the file; "
                                                "correct the counts in the header");
+    parse_.pass_over_at_byte("appendices behind the last element", bytes_.offset(), bytes_text(bytes_.left()));
   }
 
  private:

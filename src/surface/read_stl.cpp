@@ -29,6 +29,23 @@ bool is_ascii_stl(std::string_view bytes) {
   return lines.next_line() && lower_case(lines.next_token()) == "solid";
 }
 
+// How many facets are read where the count is wrong: those that are there.  Bytes that are no whole facets are something
+// that was appended, and then the count is believed.  No zero byte at all means text, or what is no STL.
+std::uint64_t facets_there(Parse& parse, std::uint64_t claimed) {
+  const std::uint64_t room = (parse.bytes.size() - count_end) / triangle_size;
+  const std::uint64_t odd = (parse.bytes.size() - count_end) % triangle_size;
+  if (claimed < room && odd != 0) {
+    const std::uint64_t end = count_end + claimed * triangle_size;
+    parse.pass_over_at_byte("appendices behind the last facet", end, bytes_text(parse.bytes.size() - end));
+    return claimed;
+  }
+  if (claimed != room)
+    parse.pass_over_at_byte("counts of facets that are wrong", header_size,
+                            "it claims " + std::to_string(claimed) + ", where there are " + std::to_string(room));
+  if (odd != 0) parse.pass_over_at_byte("appendices behind the last facet", parse.bytes.size() - odd, bytes_text(odd));
+  return room;
+}
+
 void parse_binary(Parse& parse) {
   parse.report.encoding = MeshEncoding::binary_little_endian;
   const auto& bytes = parse.bytes;
@@ -36,9 +53,12 @@ void parse_binary(Parse& parse) {
     fail_at_byte(MeshFileProblem::truncated, parse.file, bytes.size(),
                  "the file ends here, expected `solid` (ASCII STL) or the 84 bytes that begin a binary STL; is this an "
                  "STL file?");
-  const std::uint64_t size = claimed_size(bytes), triangles = (size - count_end) / triangle_size;
+  const std::uint64_t size = claimed_size(bytes);
+  std::uint64_t triangles = (size - count_end) / triangle_size;
   const auto problem = bytes.size() < size ? MeshFileProblem::truncated : MeshFileProblem::syntax;
-  if (bytes.size() != size)
+  if (bytes.size() != size && parse.lenient() && bytes.find('\0') != std::string_view::npos)
+    triangles = facets_there(parse, triangles);
+  else if (bytes.size() != size)
     fail_at_byte(problem, parse.file, header_size,
                  "claims " + std::to_string(triangles) + " triangles, expected " + std::to_string(size) +
                      " bytes in all, but the file has " + std::to_string(bytes.size()) +
@@ -65,43 +85,79 @@ void parse_binary(Parse& parse) {
   }
 }
 
+// Names of solids hold any words, also those that begin and end one; what follows tells.  So both are kept: may the next
+// word be within a solid, may it be behind one?
+struct Place {
+  bool within, behind;
+};
+
 // The words of ASCII STL, which may stand on lines as they like.
 class Words {
  public:
-  explicit Words(Parse& parse) : lines_(parse.bytes, parse.file) {}
+  explicit Words(Parse& parse) : lines_(parse.bytes, parse.file, {.flowing = true}) {}
 
-  // The next word in lower case, empty at the end of the file.
-  std::string next() {
-    raw_ = lines_.next_token();
-    while (raw_.empty() && lines_.next_line()) raw_ = lines_.next_token();
-    return lower_case(raw_);
-  }
-  // The next word, which is not the end of the file.
-  std::string require(const std::string& expected) {
-    std::string word = next();
-    if (word.empty())
-      lines_.fail(MeshFileProblem::truncated,
-                  "the file ends here, expected " + expected + "; it is cut short: fetch or export it again");
-    return word;
-  }
-  void expect(const std::string& expected) {
-    if (require("`" + expected + "`") != expected) refuse("`" + expected + "`");
+  // The next word, empty at the end of the file.
+  std::string_view next() { return word_ = lines_.next_token(); }
+  void expect(std::string_view expected) {
+    if (is_word(next(), expected)) return;
+    refuse("`" + std::string(expected) + "`");
   }
   [[noreturn]] void refuse(const std::string& expected) const {
+    if (word_.empty()) lines_.fail_at_end(expected);
     lines_.fail(MeshFileProblem::syntax,
-                "found " + in_quotes(raw_) + ", expected " + expected + "; export the file again");
+                "found " + in_quotes(word_) + ", expected " + expected + "; export the file again");
+  }
+  // The rest of the line is a name, but for a facet that begins there.
+  Place name(Place at) {
+    while (!lines_.at_line_end()) {
+      const TextLines before = lines_;
+      next();
+      if (is_word(word_, "facet") && facet_follows()) {
+        lines_ = before;
+        break;
+      }
+      at.behind = at.behind || is_word(word_, "endsolid");
+      at.within = at.within || is_word(word_, "solid");
+    }
+    return at;
   }
   TextLines& lines() { return lines_; }
+  // The last word and the rest of its line.
+  [[nodiscard]] std::string_view line_from_here() const {
+    TextLines ahead = lines_;
+    const TextLines::Words behind = ahead.words_left();
+    return behind.count == 0 ? word_ : std::string_view(word_.data(), behind.text.data() + behind.text.size());
+  }
 
  private:
+  [[nodiscard]] bool facet_follows() const {
+    TextLines ahead = lines_;
+    const std::string_view word = ahead.next_token();
+    return is_word(word, "normal") || is_word(word, "outer");
+  }
+
   TextLines lines_;
-  std::string_view raw_;
+  std::string_view word_;
 };
 
+// Up to `outer`.  What the normal is does not matter, for the corners' order tells; that it is there does, but to a
+// lenient reading.
+void parse_normal(Parse& parse, Words& words) {
+  const std::uint64_t line = words.lines().line();
+  std::string_view word = words.next();
+  const bool named = is_word(word, "normal");
+  if (!named && !(parse.lenient() && is_word(word, "outer"))) words.refuse("`normal`");
+  int numbers = 0;
+  for (word = named ? words.next() : word; !is_word(word, "outer"); word = words.next(), ++numbers)
+    if (word.empty() || (numbers == 3 && !parse.lenient()))
+      words.refuse(numbers < 3 ? "the facet's normal" : "`outer`");
+  if (numbers == 3) return;
+  if (!parse.lenient()) words.refuse("the facet's normal");
+  parse.pass_over_in_line("facets without a normal", line, named ? "facet normal" : "facet");
+}
+
 void parse_facet(Parse& parse, Words& words) {
-  words.expect("normal");
-  for (int k = 0; k < 3; ++k) words.require("the facet's normal");  // anything: the corners' order tells
-  words.expect("outer");
+  parse_normal(parse, words);
   words.expect("loop");
   for (int corner = 0; corner < 3; ++corner) {
     words.expect("vertex");
@@ -111,24 +167,29 @@ void parse_facet(Parse& parse, Words& words) {
   words.expect("endfacet");
 }
 
+// What a lenient reading says of a word that is none of those that may follow.
+std::string_view unfitting(std::string_view word, bool facet) {
+  if (word.empty() || is_word(word, "solid")) return "solids without `endsolid`";
+  return facet ? "solids without `solid`" : "lines among the facets that are none";
+}
+
 // Solid after solid: some files hold several.
 void parse_ascii(Parse& parse) {
   parse.report.encoding = MeshEncoding::ascii;
   Words words(parse);
   words.expect("solid");
-  for (;;) {
-    words.lines().rest();  // the solid's name
-    for (std::string word; word != "endsolid";) {
-      word = words.require("`facet` or `endsolid`");
-      if (word == "facet")
-        parse_facet(parse, words);
-      else if (word != "endsolid")
-        words.refuse("`facet` or `endsolid`");
-    }
-    words.lines().rest();
-    const std::string word = words.next();
+  for (Place at = words.name({.within = true, .behind = false});;) {
+    const std::string_view word = words.next();
+    const std::uint64_t line = words.lines().line();
+    const bool facet = is_word(word, "facet"), end = is_word(word, "endsolid"), solid = is_word(word, "solid");
+    const bool fits = facet || end ? at.within : at.behind && (solid || word.empty());
+    if (!fits && !parse.lenient()) words.refuse(at.behind ? "`solid` or the end of the file" : "`facet` or `endsolid`");
+    if (!fits) parse.pass_over_in_line(unfitting(word, facet), line, words.line_from_here());
     if (word.empty()) return;
-    if (word != "solid") words.refuse("`solid` or the end of the file");
+    if (facet) parse_facet(parse, words);
+    const bool known = facet || end || solid;
+    const Place after = !known ? at : Place{.within = !end, .behind = end};
+    at = facet ? after : words.name(after);
   }
 }
 

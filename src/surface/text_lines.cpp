@@ -6,6 +6,8 @@ namespace plumb::surface {
 namespace {
 
 constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_sign_of_number(char c) { return c == '.' || c == '-' || c == '+' || c == 'e' || c == 'E'; }
 
 }  // namespace
 
@@ -13,6 +15,24 @@ std::string lower_case(std::string_view text) {
   std::string lower;
   for (const char c : text) lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   return lower;
+}
+
+bool is_word(std::string_view text, std::string_view word) {
+  if (text.size() != word.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if ((text[i] >= 'A' && text[i] <= 'Z' ? text[i] - 'A' + 'a' : text[i]) != word[i]) return false;
+  return true;
+}
+
+bool looks_like_a_number(std::string_view word) {
+  bool digit = false;
+  for (const char c : word) {
+    if (is_digit(c))
+      digit = true;
+    else if (!is_sign_of_number(c))
+      return false;
+  }
+  return digit;
 }
 
 bool read_integer(std::string_view text, std::int64_t& value) {
@@ -57,7 +77,7 @@ bool TextLines::next_line() {
   return false;
 }
 
-std::string_view TextLines::next_token() {
+std::string_view TextLines::token_on_line() {
   std::size_t start = 0;
   while (start < text_.size() && is_space(text_[start])) ++start;
   std::size_t end = start;
@@ -65,6 +85,16 @@ std::string_view TextLines::next_token() {
   const std::string_view token = text_.substr(start, end - start);
   text_.remove_prefix(end);
   return token;
+}
+
+std::string_view TextLines::next_token() {
+  const std::string_view token = token_on_line();
+  return token.empty() && style_.flowing && next_line() ? token_on_line() : token;
+}
+
+bool TextLines::at_line_end() {
+  while (!text_.empty() && is_space(text_.front())) text_.remove_prefix(1);
+  return text_.empty();
 }
 
 std::string_view TextLines::rest() {
@@ -75,22 +105,60 @@ std::string_view TextLines::rest() {
   return rest;
 }
 
-void TextLines::fail(MeshFileProblem problem, const std::string& text) const {
-  fail_at_line(problem, file_, line_, text);
+TextLines::Words TextLines::words_left() {
+  const std::string_view left = rest();
+  Words words{left, 0, true};
+  bool within = false, digit = true;  // of the word that was begun
+  for (const char c : left) {
+    if (is_space(c)) {
+      within = false;
+      continue;
+    }
+    if (!within) {
+      words.numbers = words.numbers && digit;
+      ++words.count;
+      within = true;
+      digit = false;
+    }
+    if (is_digit(c))
+      digit = true;
+    else if (!is_sign_of_number(c))
+      words.numbers = false;
+  }
+  words.numbers = words.numbers && digit;
+  return words;
 }
 
-void TextLines::require_line(const std::string& expected) {
-  if (!next_line())
-    fail(MeshFileProblem::truncated,
-         "the file ends here, expected " + expected + "; it is cut short: fetch or export it again");
+void TextLines::note_odd_line(const std::string& text) {
+  if (!odd_) odd_ = {line_, text};
+}
+
+void TextLines::fail(MeshFileProblem problem, const std::string& text) const {
+  if (!odd_) fail_at_line(problem, file_, line_, text);
+  const std::string further =
+      odd_->line == line_
+          ? "; mend the line or export the file again"
+          : "; read on over the ends of lines, what is wrong is found in line " + std::to_string(line_) + ": " + text;
+  fail_at_line(MeshFileProblem::syntax, file_, odd_->line, odd_->text + further);
+}
+
+void TextLines::fail_at_end(std::string_view expected) const {
+  fail(MeshFileProblem::truncated,
+       "the file ends here, expected " + std::string(expected) + "; it is cut short: fetch or export it again");
+}
+
+void TextLines::require_line(std::string_view expected) {
+  if (!next_line()) fail_at_end(expected);
 }
 
 std::string_view TextLines::require_token(std::string_view expected) {
-  const std::string_view token = next_token();
-  if (token.empty())
-    fail(MeshFileProblem::syntax,
-         "the line ends where " + std::string(expected) + " was expected; complete the line or export the file again");
-  return token;
+  const std::string_view token = token_on_line();
+  if (!token.empty()) return token;
+  const auto short_line = [&] { return "the line ends where " + std::string(expected) + " was expected"; };
+  if (!style_.flowing) fail(MeshFileProblem::syntax, short_line() + "; complete the line or export the file again");
+  if (!odd_) note_odd_line(short_line());
+  if (!next_line()) fail_at_end(expected);
+  return token_on_line();
 }
 
 double TextLines::coordinate(DecimalReader& decimals, std::string_view name) {
@@ -101,8 +169,10 @@ double TextLines::coordinate(DecimalReader& decimals, std::string_view name) {
     case DecimalReader::Outcome::number:
       return value;
     case DecimalReader::Outcome::not_finite:
+      odd_.reset();  // whatever the lines are, this is wrong
       fail(MeshFileProblem::bad_number, found() + ", expected a finite number; mend the tool that computed it");
     case DecimalReader::Outcome::too_large:
+      odd_.reset();
       fail(MeshFileProblem::bad_number,
            found() + ", beyond the largest double, expected at most 1.7976931348623157e308; scale the mesh down");
     case DecimalReader::Outcome::not_decimal:

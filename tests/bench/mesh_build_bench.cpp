@@ -7,12 +7,12 @@
 // a budget of so many hundredths as the second says: `rays` is rays a second on one thread that ask for the first, `slots`
 // the slots for each triangle, `build` the milliseconds that the tree took.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <chrono>
 #include <string>
 #include <vector>
 
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/space.hpp"
 #include "space/bvh/meshes.hpp"
@@ -52,7 +52,7 @@ void report(benchmark::State& state, const TriangleMesh& mesh) {
 void build_mesh(benchmark::State& state, BvhMethod method, Order order) {
   const TriangleMesh& mesh = mesh_of(state.range(0), order);
   const auto threads = static_cast<std::size_t>(state.range(1));
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+  const ThreadLimit control(threads);
   BvhOptions options;
   options.method = method;
   options.execution = threads == 1 ? Execution::serial : Execution::parallel;

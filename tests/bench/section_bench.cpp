@@ -5,7 +5,6 @@
 // Meshes: a torus of n triangles, flat-faced (its coordinates rounded to a grid, planes at its vertices) and round.
 // `s_cut` is the time, in seconds, of each triangle that is cut; `s_triangle` of each of the mesh.
 #include <benchmark/benchmark.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "figure/basic/solids.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/surface.hpp"
 
 namespace plumb::bench {
@@ -88,7 +88,7 @@ std::size_t plain_sections(const TriangleMesh& mesh, const std::vector<double>& 
 enum class Method { plain, plumb, oblique };
 
 void run(benchmark::State& state, Method method, bool grid) {
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const ThreadLimit one(1);
   const TriangleMesh mesh = mesh_of(static_cast<std::uint32_t>(state.range(0)), grid);
   const std::vector<double> heights = heights_of(static_cast<int>(state.range(1)));
   std::vector<AnyPlane3> planes;
@@ -117,7 +117,7 @@ void run(benchmark::State& state, Method method, bool grid) {
 
 /// Pillars through a plate, each a contour in its outline.
 void many_contours(benchmark::State& state) {
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const ThreadLimit one(1);
   const auto n = static_cast<std::uint32_t>(state.range(0));
   TriangleMesh mesh = solids::pillars(n);
   solids::append(mesh, solids::box({0, 0, -1}, {double(n), double(n), 1}));

@@ -332,6 +332,12 @@ TEST(Case, IsReadAndWrittenForEveryKind) {
       EXPECT_TRUE(same_bits(*read, numbers)) << line;
       EXPECT_NE(cpp_text(kind, numbers, "mine").find("mine("), std::string::npos);
     }
+    const Numbers numbers = case_of(kind, kind.generators[0].name, 1, 0);
+    const std::string line = case_line(kind, numbers), bare = line.substr(0, line.find('='));
+    EXPECT_TRUE(parse_case(kind, bare)) << line;
+    EXPECT_TRUE(parse_case(kind, bare + "# = remark")) << line;
+    for (const char* other : {"=", "= maybe", "= + +", "= yes no", "= = 1", "== 1", "= 1 2", "= yes at", "= triangles"})
+      EXPECT_THROW(parse_case(kind, bare + other), Error) << bare << other;
     EXPECT_FALSE(parse_case(kind, "  # remark"));
     EXPECT_FALSE(parse_case(kind, "another-kind 1 2 3"));
     EXPECT_THROW(parse_case(kind, std::string(kind.name) + " 1"), Error);

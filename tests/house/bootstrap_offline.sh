@@ -38,14 +38,14 @@ expect 1 "no apt-get" demo
 expect 1 "libcli11-dev" demo
 
 # A Debian that lacks two packages, without apt-get; then one where apt-get knows no such package.
-stand_in dpkg-query 'case "$*" in *libtbb-dev | *g++) echo not-installed; exit 1 ;; *) echo installed ;; esac'
-expect 1 "  g++ libtbb-dev" demo
+stand_in dpkg-query 'case "$*" in *libpng-dev | *g++) echo not-installed; exit 1 ;; *) echo installed ;; esac'
+expect 1 "  g++ libpng-dev" demo
 stand_in apt-get 'echo "apt-get $*" >>'"$machine/asked" \
   'case "$*" in *install*) echo "E: no such package"; exit 100 ;; esac'
 stand_in sudo '"$@"'
 expect 1 "E: no such package" demo
 [ "$(tail -n 1 "$machine/asked")" = \
-  "apt-get -o DPkg::Lock::Timeout=300 install -y --no-install-recommends g++ libtbb-dev" ]
+  "apt-get -o DPkg::Lock::Timeout=300 install -y --no-install-recommends g++ libpng-dev" ]
 
 # Where nothing is missing, apt-get is not asked; cmake is, and what it says on failing is shown.
 rm "$machine/asked"

@@ -1,5 +1,6 @@
 # Can people use the library?  Builds and runs tests/consumer in one WAY:
-#   installed         BUILD, as it is, installed, then moved, then found by find_package; its program runs there
+#   installed         BUILD, as it is, installed, then moved, then found by find_package; its program runs there, and
+#                     under valgrind where there is one
 #   examples          the same for docs/examples, each of which prints its expected.txt; but for those WITHOUT names, for
 #                     which this machine lacks a package
 #   add_subdirectory  the sources beside the consumer's; installs what it built to WORK/prefix_LINKAGE
@@ -86,6 +87,13 @@ if(WAY STREQUAL "installed")
     run(${prefix}/bin/plumb --version)
   endif()
   build_consumer(-DCMAKE_PREFIX_PATH=${prefix})
+  find_program(valgrind valgrind)
+  if(valgrind AND NOT FLAGS)  # sanitizers and valgrind exclude each other
+    run(${valgrind} --quiet --error-exitcode=1 ${place}/build/consumer)
+    if(NOT words STREQUAL "as expected\n")
+      message(FATAL_ERROR "under valgrind the consumer prints\n${words}")
+    endif()
+  endif()
 
 elseif(WAY STREQUAL "examples")
   set(examples ${SOURCE}/docs/examples)

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <random>
 
 #include "plumb/surface/read_mesh.hpp"
@@ -49,20 +50,36 @@ using surface_test::sample_files;
 
 enum class Outcome { sound, refused };
 
-Outcome read_bounded(std::string_view bytes, MeshFormat format) {
+Outcome read_bounded(std::string_view bytes, MeshFormat format, Strictness strictness,
+                     std::optional<PolygonMesh>& mesh) {
   largest_request = 0;
-  Outcome outcome = Outcome::refused;
+  mesh.reset();
   try {
-    const PolygonMesh mesh = parse_mesh(bytes, format, "x");
-    outcome = Outcome::sound;
-    EXPECT_GE(mesh.first.size(), 2U);
-    EXPECT_EQ(mesh.first.back(), mesh.corners.size());
-    for (const std::uint32_t corner : mesh.corners) EXPECT_LT(corner, mesh.vertices.size());
-    for (const Point3& p : mesh.vertices) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
-    EXPECT_EQ(triangulate(mesh).triangles.size(), mesh.corners.size() - 2 * (mesh.first.size() - 1));
-  } catch (const MeshFileError&) {
+    mesh = parse_mesh(bytes, format, "x", nullptr, {.strictness = strictness});
+    EXPECT_GE(mesh->first.size(), 2U);
+    EXPECT_EQ(mesh->first.back(), mesh->corners.size());
+    for (const std::uint32_t corner : mesh->corners) EXPECT_LT(corner, mesh->vertices.size());
+    for (const Point3& p : mesh->vertices) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    EXPECT_EQ(triangulate(*mesh).triangles.size(), mesh->corners.size() - 2 * (mesh->first.size() - 1));
+  } catch (const MeshFileError& e) {
+    EXPECT_TRUE(std::string_view(e.what()).starts_with("x:")) << e.what();
+    const bool of_all = e.problem == MeshFileProblem::empty_file || e.problem == MeshFileProblem::empty_mesh;
+    EXPECT_TRUE(of_all || e.line || e.byte) << e.what();
   }
   EXPECT_LE(largest_request, 4096 + 32 * bytes.size());
+  return mesh ? Outcome::sound : Outcome::refused;
+}
+
+/// As it is read usually.  Whatever a stricter way takes, a laxer one reads alike.
+Outcome read_bounded(std::string_view bytes, MeshFormat format) {
+  std::optional<PolygonMesh> strict, usual, lenient;
+  read_bounded(bytes, format, Strictness::strict, strict);
+  const Outcome outcome = read_bounded(bytes, format, Strictness::usual, usual);
+  read_bounded(bytes, format, Strictness::lenient, lenient);
+  const auto agrees = [](const std::optional<PolygonMesh>& l, const std::optional<PolygonMesh>& r) {
+    return !l || (r && l->vertices == r->vertices && l->corners == r->corners && l->first == r->first);
+  };
+  EXPECT_TRUE(agrees(strict, usual) && agrees(usual, lenient)) << bytes;
   return outcome;
 }
 

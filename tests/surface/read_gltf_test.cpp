@@ -128,10 +128,38 @@ TEST(ReadGltf, ReadsFilesBesideItAndNoOthers) {
                                 "file:///etc/passwd", "http://example.org/a.bin", "", "a%2", "a%00b", "..\\out.bin"})
     EXPECT_EQ(problem_of(uri), unreadable) << uri;
   EXPECT_EQ(problem_of((root / "out.bin").string()), unreadable);
+  // A zero byte would end the name for the system, and so would name another file.
+  EXPECT_EQ(problem_of(std::string("a b.bin\0.png", 12)), unreadable);
+  EXPECT_EQ(problem_of(std::string("a b.bin\0", 8)), unreadable);
+  EXPECT_THROW(read_polygon_mesh((folder / "part.gltf").string() + std::string(1, '\0')), MeshFileError);
+  // A file may be longer than the buffer in it, which is all that is read.
+  fs::resize_file(folder / "a b.bin", std::uintmax_t{1} << 36);
+  EXPECT_EQ(problem_of("a%20b.bin"), std::nullopt);
+  fs::resize_file(folder / "a b.bin", 71);
+  EXPECT_EQ(problem_of("a%20b.bin"), truncated);
+  // What is beside it counts as its own size, by which it is bounded.
+  constexpr std::uint64_t many = 1'500'000;
+  put(folder / "large.bin", "");
+  fs::resize_file(folder / "large.bin", 12 * many);
+  json large = document();
+  large["buffers"][0] = {{"byteLength", 12 * many}, {"uri", "large.bin"}};
+  large["bufferViews"] = {{{"buffer", 0}, {"byteLength", 12 * many}}};
+  large["accessors"] = {{{"bufferView", 0}, {"componentType", 5126}, {"count", many}, {"type", "VEC3"}}};
+  large["meshes"][0]["primitives"][0].erase("indices");
+  put(folder / "part.gltf", large.dump());
+  EXPECT_EQ(read_polygon_mesh(folder / "part.gltf").vertices.size(), many);
   fs::remove_all(root);
   json d = document();
   d["buffers"][0]["uri"] = "a.bin";
   expect_error(d.dump(), unreadable, "this glTF has no folder");
+}
+
+TEST(ReadGltf, ReadsBuffersUpToTheirLength) {
+  for (const std::size_t more : {1U, 3U, 1000U}) {
+    const std::string longer = tetrahedron_bytes + std::string(more, 'x');
+    expect_tetrahedron(read(text_of(document(), longer)));
+    expect_tetrahedron(read(glb_of(document().dump(), longer)));
+  }
 }
 
 TEST(ReadGltf, TakesIndicesOfEverySizeOrNone) {
@@ -285,7 +313,7 @@ TEST(ReadGltf, NamesTheElementThatIsWrong) {
   refused("/accessors/0/componentType", 5123, unsupported, "KHR_mesh_quantization");
   refused("/accessors/0/type", "VEC2", unsupported, "accessors[0] ");
   refused("/accessors/0/count", 5, bad_index, "accessors[0] has 5 elements, which end beyond bufferViews[0]");
-  refused("/accessors/0/count", 9'000'000'000'000'000ULL, too_large, "raise the limit");
+  refused("/accessors/0/count", 9'000'000'000'000'000ULL, bad_index, "which end beyond bufferViews[0]");
   refused("/accessors/0/count", -3, syntax, "accessors[0] has count");
   refused("/accessors/0/byteOffset", 1, bad_index, "accessors[0] ");
   refused("/accessors/0/byteOffset", 9'000'000'000'000'000ULL, bad_index, "accessors[0] ");
@@ -305,6 +333,9 @@ TEST(ReadGltf, NamesTheElementThatIsWrong) {
   expect_error(text_of(document(), not_finite), bad_number,
                "accessors[0] has a coordinate that is not finite in element 3");
   expect_error(document().dump(), syntax, "buffers[0] has neither a URI");
+  json zeros = document();
+  zeros["accessors"][0] = {{"componentType", 5126}, {"count", 9'000'000'000'000'000ULL}, {"type", "VEC3"}};
+  expect_error(text_of(zeros), too_large, "raise the limit");
   json d = document();
   for (const std::string uri : {"data:;base64,AAA*", "data:;base64,A", "data:text/plain,hello", "data:"}) {
     d["buffers"][0]["uri"] = uri;

@@ -94,6 +94,14 @@ inline std::vector<SampleFile> sample_files() {
        "property float z\nelement face 4\nproperty list uchar int vertex_indices\nproperty uchar red\n"
        "end_header\n0 0 0 7 0\n2 9 9 0 1 7 0\n0 1 0 7 0\n1 5 0 0 7 0.5\n\n3 0 2 1 255\n3 0 1 3 0\n3 1 2 3 0\n"
        "3 2 0 3 0\n"});
+  files.push_back({"one_line.stl", MeshFormat::stl, files[7].bytes});
+  for (char& c : files.back().bytes) c = c == '\n' ? ' ' : c;
+  files.push_back({"two_a_line.off", MeshFormat::off,
+                   "OFF 4 4 6\n0 0 0 1 0 0\n0 1 0 0 0 0.5\n3 0 2 1 3 0 1 3\n3 1 2 3 3 2 0\n3\n"});
+  files.push_back({"wrapped.ply", MeshFormat::ply,
+                   "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                   "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0 1 0\n0 0 1 0 0 0 0.5 3\n"
+                   "0 2 1 3 0 1 3 3\t1 2\r\n3 3 2 0 3"});
   return files;
 }
 

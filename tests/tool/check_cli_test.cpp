@@ -77,12 +77,13 @@ TEST(Check, OpensWithAVerdictOfFourLines) {
   const std::vector<std::string> lines = lines_of(embedded().out);
   ASSERT_GT(lines.size(), 6U);
   EXPECT_EQ(lines[0], "embedded flange");
-  EXPECT_EQ(
-      lines[1],
-      "  surface     not closed, oriented, touching itself (67 vertices lie where another is: triangles that meet "
-      "there share none, and touch), with degenerate triangles");
+  EXPECT_EQ(lines[1],
+            "  surface     2 shells, not closed, oriented, touching itself (67 vertices lie where another is: "
+            "triangles that meet "
+            "there share none, and touch), with degenerate triangles");
   EXPECT_EQ(lines[2],
-            "  wrong       12 triangles of zero area; 67 repeated vertices; 133 open edges; "
+            "  wrong       12 triangles of zero area; 67 repeated vertices; 6 vertices on edges (T-junctions); 133 "
+            "open edges; "
             "1 edge of more than two faces; 575 pairs of triangles that touch");
   EXPECT_THAT(lines[3], AllOf(StartsWith("  in floats   wrong signs in 153,641 decisions: float32 "),
                               HasSubstr("double "), HasSubstr("; none: interval")));
@@ -90,8 +91,8 @@ TEST(Check, OpensWithAVerdictOfFourLines) {
                               HasSubstr("take signs exactly")));
   EXPECT_EQ(lines[5], "");
   const json verdict = embedded_report().at("verdict");
-  EXPECT_EQ("  surface     " + std::string(verdict.at("surface")), lines[1]);
-  EXPECT_EQ("  wrong       " + std::string(verdict.at("mesh")), lines[2]);
+  EXPECT_EQ("  surface     " + std::string(verdict.at("surface_is")), lines[1]);
+  EXPECT_EQ("  wrong       " + std::string(verdict.at("faults")), lines[2]);
   EXPECT_EQ("  in floats   " + std::string(verdict.at("floats")), lines[3]);
   EXPECT_THAT(std::string(verdict.at("advice")), HasSubstr("take signs exactly"));
 }
@@ -115,7 +116,7 @@ TEST(Check, CountsPolygonsThatLieInNoPlane) {
       "f 1 2 3 4\nf 1 2 3 5\nf 1 6 2 3 4\nf 1 6 2 3 7\n");
   const json mesh = report_of(folder / "quads.obj").at("meshes").at(0);
   EXPECT_EQ(mesh.at("bent_faces"), 2);
-  EXPECT_THAT(std::string(mesh.at("verdict").at("mesh")), HasSubstr("2 polygons whose corners lie in no one plane"));
+  EXPECT_THAT(std::string(mesh.at("verdict").at("faults")), HasSubstr("2 polygons whose corners lie in no one plane"));
 }
 
 TEST(Check, AsksTheInexactMethodsOfABigMeshASample) {
@@ -219,10 +220,10 @@ TEST(Check, ReadsItsOwnSampleFromEveryFormat) {
   for (const std::string name : {"s.obj", "s.off", "s.ply", "s.stl"}) {
     EXPECT_EQ(run("$PLUMB check --write-sample " + (folder / name)).code, 0);
     const json read = report_of(folder / name).at("meshes").at(0);
-    EXPECT_EQ(read.at("statistics").at("triangles"), own.at("statistics").at("triangles")) << name;
+    EXPECT_EQ(read.at("triangles"), own.at("triangles")) << name;
     EXPECT_EQ(read.at("statistics").at("zero_area_triangles"), 12) << name;
     if (name == "s.stl") continue;  // it knows no indices: what was repeated is merged
-    for (const char* part : {"statistics", "lattice", "edges"}) EXPECT_EQ(read.at(part), own.at(part)) << name << part;
+    for (const char* part : {"statistics", "lattice", "edge_bends"}) EXPECT_EQ(read.at(part), own.at(part)) << name << part;
   }
 }
 
@@ -244,7 +245,7 @@ TEST(Check, TakesNamesOfAnyBytes) {
   const std::string mesh = folder / "na\xFF\xFEme.obj", chart = folder / "chart.svg";
   put(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const json report = report_of(mesh);
-  EXPECT_THAT(std::string(report.at("meshes").at(0).at("name")), testing::EndsWith("na\uFFFD\uFFFDme.obj"));
+  EXPECT_THAT(std::string(report.at("meshes").at(0).at("mesh")), testing::EndsWith("na\uFFFD\uFFFDme.obj"));
   EXPECT_EQ(run("$PLUMB check --chart " + chart + " " + mesh).code, 0);
   EXPECT_THAT(content(chart), AllOf(HasSubstr("na\uFFFD\uFFFDme.obj"), Not(HasSubstr("\xFF"))));
 }
@@ -282,7 +283,7 @@ TEST(Check, ChecksEveryMeshInAFolder) {
   std::filesystem::create_directory_symlink(folder / ".", folder / "sub/round");
   const json report = report_of(folder / ".");
   std::vector<std::string> names;
-  for (const json& mesh : report.at("meshes")) names.push_back(mesh.at("name"));
+  for (const json& mesh : report.at("meshes")) names.push_back(mesh.at("mesh"));
   EXPECT_THAT(names, testing::ElementsAre(folder / "./A.OBJ", folder / "./b.obj", folder / "./d.obj.gz",
                                           folder / "./sub/deep/c.obj"));
   EXPECT_EQ(report.at("passed_over"),
@@ -297,6 +298,50 @@ TEST(Check, ChecksEveryMeshInAFolder) {
   EXPECT_EQ(bad.code, 2);
   EXPECT_THAT(bad.err, HasSubstr("bad.obj:1: "));
   EXPECT_THAT(bad.out, HasSubstr("all 4 meshes"));
+}
+
+TEST(Check, ReportsOnAFolderOfWhichSomeCannotBeRead) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "parts");
+  put(folder / "parts/a.obj", triangle);
+  put(folder / "parts/b.obj", "f 1 2 3\n");
+  put(folder / "parts/c.stl", "");
+  put(folder / "parts/d.obj", triangle);
+  const std::string check = "cd " + (folder / "") + " && $PLUMB check ";
+  const Outcome brief = run(check + "--brief parts");
+  EXPECT_EQ(brief.code, 2);
+  const std::vector<std::string> lines = lines_of(brief.out);
+  ASSERT_EQ(lines.size(), 4U);
+  const std::string open =
+      ": not closed, oriented, free of self-intersections, free of degenerate triangles; 3 open edges";
+  EXPECT_EQ(lines[0], "parts/a.obj" + open);
+  EXPECT_THAT(lines[1], StartsWith("parts/b.obj: not read: parts/b.obj:1: "));
+  EXPECT_THAT(lines[2], StartsWith("parts/c.stl: not read: "));
+  EXPECT_EQ(lines[3], "parts/d.obj" + open);
+
+  const Outcome whole = run(check + "parts --json report.json --chart chart.svg");
+  EXPECT_EQ(whole.code, 2);
+  EXPECT_THAT(whole.out, HasSubstr("\n2 meshes were not read\n  parts/b.obj:1: "));
+  const json report = json::parse(content(folder / "report.json"));
+  EXPECT_EQ(report.at("meshes").size(), 2U);
+  EXPECT_EQ(report.at("not_read").size(), 2U);
+  EXPECT_EQ(report.at("not_read")[0].at("mesh"), "parts/b.obj");
+  EXPECT_THAT(std::string(report.at("not_read")[0].at("error")), StartsWith("parts/b.obj:1: "));
+  EXPECT_THAT(content(folder / "chart.svg"), StartsWith("<svg"));
+  // What is named and cannot be read is another thing: nothing is replaced then.
+  EXPECT_EQ(run(check + "parts missing.obj --json report.json --brief").code, 2);
+  EXPECT_EQ(json::parse(content(folder / "report.json")), report);
+}
+
+TEST(Check, TellsARatioOfTimesOnlyWhereItWasMeasured) {
+  const Folder folder;
+  write_mesh(folder / "few.obj", sheet(6));
+  write_mesh(folder / "many.obj", sheet(30));
+  const auto advice = [&](const char* file) {
+    return std::string(report_of(folder / file).at("meshes").at(0).at("verdict").at("advice"));
+  };
+  EXPECT_THAT(advice("few.obj"), AllOf(HasSubstr("exact"), Not(HasSubstr("times the time"))));
+  EXPECT_THAT(advice("many.obj"), HasSubstr("times the time of double"));
 }
 
 TEST(Check, RefusesAFolderWithoutMeshes) {
@@ -333,7 +378,7 @@ TEST(Check, BoundsWhatAPackedMeshUnpacksTo) {
   EXPECT_THAT(o.err, AllOf(StartsWith("plumb: " + file + ": unpacks to more than "), HasSubstr("raise the limit")));
   EXPECT_EQ(run("$PLUMB check " + enough + file).code, 0);
   EXPECT_EQ(run(below + file).code, 2);
-  const json read = report_of(enough + file).at("meshes").at(0).at("file");
+  const json read = report_of(enough + file).at("meshes").at(0).at("load");
   EXPECT_EQ(read.at("bytes"), (megabytes << 20) + std::string(triangle).size());
   EXPECT_EQ(read.at("packed_bytes"), std::filesystem::file_size(file));
 }
@@ -353,7 +398,7 @@ TEST(Check, ReadsPackagesWithTheirUnitsAndParts) {
   EXPECT_THAT(run("$PLUMB check " + (folder / "t.3mf")).out,
               AllOf(HasSubstr("  file        3MF, ASCII"), HasSubstr("1 placed mesh; the unit is the millimeter"),
                     HasSubstr("12 coordinates made by transforms, 0 of them rounded")));
-  const json file = report_of(folder / "t.3mf").at("meshes").at(0).at("file");
+  const json file = report_of(folder / "t.3mf").at("meshes").at(0).at("load");
   EXPECT_EQ(file.at("unit"), "millimeter");
   EXPECT_EQ(file.at("transformed_coordinates"), 12);
   EXPECT_EQ(run("$PLUMB check - <" + (folder / "t.3mf")).code, 0);

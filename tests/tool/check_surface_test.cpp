@@ -2,6 +2,7 @@
 // triangles?
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -73,9 +74,9 @@ TEST(CheckSurface, SaysWhatAMeshIs) {
   EXPECT_EQ(said_of(inside_out(cube)),
             "closed, oriented inward, free of self-intersections, free of degenerate triangles");
   EXPECT_EQ(said_of(with(cube, solids::box({2, 1, 1}, {6, 3, 3}))),
-            "closed, oriented, self-intersecting, free of degenerate triangles");
+            "2 shells, closed, oriented, self-intersecting, free of degenerate triangles");
   EXPECT_EQ(said_of(with(cube, solids::box({4, 5, 5}, {6, 6, 6}))),
-            "closed, oriented, free of self-intersections, free of degenerate triangles");
+            "2 shells, closed, oriented, free of self-intersections, free of degenerate triangles");
   EXPECT_EQ(said_of({{{0, 0, 0}}, {}}), "none: there are no triangles");
 }
 
@@ -83,7 +84,7 @@ TEST(CheckSurface, SaysWhatAMeshIs) {
 TEST(CheckSurface, TellsTouchingFromOverlapping) {
   const TriangleMesh touching =
       with(cube, {{{4, 1, 2}, {9, 1, 2}, {9, 2, 2}, {9, 1, 3}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
-  EXPECT_EQ(said_of(touching), "closed, oriented, touching itself, free of degenerate triangles");
+  EXPECT_EQ(said_of(touching), "2 shells, closed, oriented, touching itself, free of degenerate triangles");
   const SurfaceCheck c = checked(touching);
   EXPECT_EQ(c.met.overlapping, 0U);
   EXPECT_GT(c.met.touching, 0U);
@@ -91,7 +92,7 @@ TEST(CheckSurface, TellsTouchingFromOverlapping) {
 
 TEST(CheckSurface, FindsTrianglesWithoutArea) {
   const SurfaceCheck c = checked(with_a_sliver());
-  EXPECT_TRUE(c.closed && c.oriented && !c.inside_out);
+  EXPECT_TRUE(c.closed && c.oriented && !c.inside_out());
   EXPECT_EQ(c.degenerate, 1U);
   EXPECT_TRUE(surface_verdict(c).ends_with(", with degenerate triangles"));
   TriangleMesh twice = cube;
@@ -102,7 +103,8 @@ TEST(CheckSurface, FindsTrianglesWithoutArea) {
 
 TEST(CheckSurface, SaysWhereVerticesAreRepeated) {
   EXPECT_EQ(said_of(soup(cube)),
-            "not closed, oriented, touching itself (28 vertices lie where another is: triangles that meet there share "
+            "12 shells, not closed, oriented, touching itself (28 vertices lie where another is: triangles that meet "
+            "there share "
             "none, and touch), free of degenerate triangles");
 }
 
@@ -149,16 +151,168 @@ TEST(CheckSurface, JsonHoldsTheSameAndDefectsFailWhereAskedTo) {
                                                         {"oriented", true},
                                                         {"inside_out", false},
                                                         {"self_intersecting", false},
-                                                        {"touching_pairs", 0},
-                                                        {"overlapping_pairs", 0},
-                                                        {"degenerate_triangles", 0}}));
+                                                        {"touching", 0},
+                                                        {"overlapping", 0},
+                                                        {"degenerate_triangles", 0},
+                                                        {"shell_count", 1},
+                                                        {"closed_shells", 1},
+                                                        {"inside_out_shells", 0},
+                                                        {"crossing_shells", 0},
+                                                        {"internal_walls", 0},
+                                                        {"non_manifold_vertices", 0},
+                                                        {"vertices_on_edges", 0},
+                                                        {"duplicate_triangles", 0},
+                                                        {"opposite_triangles", 0}}));
   const json crossed = report.at("meshes")[1];
   const json pairs = json::parse(run("cd " + (folder / "") + " && $PLUMB intersect crossed.obj --json").out);
   EXPECT_EQ(crossed.at("surface").at("self_intersecting"), true);
-  EXPECT_EQ(crossed.at("surface").at("overlapping_pairs"), pairs.at("overlapping"));
-  EXPECT_EQ(crossed.at("surface").at("touching_pairs"), pairs.at("touching"));
-  EXPECT_THAT(std::string(crossed.at("verdict").at("mesh")), HasSubstr("pairs of triangles that overlap"));
+  EXPECT_EQ(crossed.at("surface").at("overlapping"), pairs.at("overlapping"));
+  EXPECT_EQ(crossed.at("surface").at("touching"), pairs.at("touching"));
+  EXPECT_THAT(std::string(crossed.at("verdict").at("faults")), HasSubstr("pairs of triangles that overlap"));
   EXPECT_THAT(std::string(crossed.at("verdict").at("advice")), HasSubstr("`plumb intersect --obj` shows them"));
+}
+
+/// A mesh that has a defect, and what is said of it.
+struct Defective {
+  std::string defect;
+  TriangleMesh mesh;
+  std::string wrong, to_do;
+};
+
+TriangleMesh welded(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> first = first_equal(mesh.vertices);
+  TriangleMesh once{{}, mesh.triangles};
+  std::vector<std::uint32_t> number(first.size());
+  for (std::uint32_t v = 0; v < first.size(); ++v) {
+    if (first[v] == v) once.vertices.push_back(mesh.vertices[v]);
+    number[v] = first[v] == v ? static_cast<std::uint32_t>(once.vertices.size() - 1) : number[first[v]];
+  }
+  for (TriangleMesh::Triangle& t : once.triangles)
+    for (std::uint32_t& v : t) v = number[v];
+  return once;
+}
+TriangleMesh with_last_again(TriangleMesh mesh, bool turned) {
+  mesh.triangles.push_back(mesh.triangles.back());
+  if (turned) std::swap(mesh.triangles.back()[0], mesh.triangles.back()[1]);
+  return mesh;
+}
+/// A triangle in two, at the middle of an edge of its neighbor.
+TriangleMesh with_a_junction() {
+  TriangleMesh mesh = with_a_sliver();
+  mesh.triangles.pop_back();
+  return mesh;
+}
+
+std::vector<Defective> defective_meshes() {
+  const TriangleMesh far = solids::box({5, 5, 5}, {7, 7, 7}),
+                     wall{{{1, 0, 0}, {1, 4, 0}, {1, 4, 4}, {1, 0, 4}}, {{0, 1, 2}, {0, 2, 3}}};
+  return {
+      {"inside-out", with(cube, inside_out(far)), "1 shell wound inside out", "turn shell 1 and no other;"},
+      {"inside-out", with(inside_out(far), cube), "1 shell wound inside out", "turn shell 0 and no other;"},
+      {"inside-out", with(inside_out(cube), inside_out(far)), "2 shells wound inside out", "turn all triangles;"},
+      {"inside-out", with(cube, solids::box({1, 1, 1}, {2, 2, 2})), "1 shell wound inside out",
+       "turn shell 1 and no other, or leave out what is a solid within a solid and no cavity;"},
+      {"non-manifold-edge", welded(with(cube, solids::box({4, 4, 0}, {5, 5, 4}))), "1 edge of more than two faces",
+       "split edges of more than two faces;"},
+      {"non-manifold-vertex", welded(with(cube, solids::box({4, 4, 4}, {5, 5, 5}))), "1 non-manifold vertex",
+       "split non-manifold vertices"},
+      {"vertex-on-edge", with_a_junction(), "1 vertex on an edge (T-junction); 3 open edges",
+       "divide edges where a vertex is on them; close open edges that are left;"},
+      {"duplicate", with_last_again(cube, false), "1 duplicate triangle", "leave out duplicate triangles;"},
+      {"opposite", with_last_again(cube, true), "1 triangle opposite to another", "leave out triangles opposite"},
+      {"internal-wall", with(cube, wall), "1 wall inside of a solid; 4 vertices on edges (T-junctions); 4 open edges",
+       "leave out walls inside of solids; divide edges where a vertex is left on them; part triangles"},
+      {"crossing-shells", with(cube, solids::box({2, 1, 1}, {6, 3, 3})), "2 shells that cross others",
+       "unite or part shells that cross;"},
+  };
+}
+
+TEST(CheckSurface, NamesEachDefectAndWhatToDo) {
+  const Folder folder;
+  write_mesh(folder / "cube.obj", cube);
+  const std::string check = "cd " + (folder / "") + " && $PLUMB check ";
+  int files = 0;
+  for (const Defective& d : defective_meshes()) {
+    const std::string file = std::to_string(files++) + ".obj";
+    write_mesh(folder / file, d.mesh);
+    const Outcome o = run(check + "--fail-on-defect " + d.defect + " " + file);
+    EXPECT_EQ(o.code, 1) << d.defect;
+    EXPECT_THAT(o.out, HasSubstr(d.wrong)) << d.defect;
+    EXPECT_THAT(o.out, HasSubstr("  to do       " + d.to_do)) << d.defect;
+    EXPECT_EQ(run(check + "-q --brief --fail-on-defect " + d.defect + " cube.obj").code, 0) << d.defect;
+  }
+}
+
+TEST(CheckSurface, ClosenessIsAskedFor) {
+  const Folder folder;
+  write_mesh(folder / "cube.obj", cube);
+  const std::string check =
+      "cd " + (folder / "") + " && $PLUMB check cube.obj --brief --fail-on-defect close-vertices ";
+  EXPECT_EQ(run(check + "--nearer-than 4").code, 0);
+  const Outcome near = run(check + "--nearer-than 4.000000000000001");
+  EXPECT_EQ(near.code, 1);
+  EXPECT_THAT(near.out, HasSubstr("8 vertices nearer than 4.000000000000001"));
+  EXPECT_EQ(run(check).code, 2);
+  EXPECT_THAT(run(check).err, HasSubstr("--nearer-than LENGTH"));
+  EXPECT_EQ(run(check + "--nearer-than -1").code, 2);
+}
+
+TEST(CheckSurface, ReportsEachShell) {
+  const Folder folder;
+  TriangleMesh mesh = with(cube, inside_out(solids::box({1, 1, 1}, {3, 3, 3})));
+  solids::append(mesh, solids::box({2, 2, 2}, {2.5, 2.5, 2.5}), true);
+  write_mesh(folder / "shells.obj", mesh);
+  const Outcome o = run("cd " + (folder / "") + " && $PLUMB check shells.obj --json report.json");
+  EXPECT_THAT(o.out,
+              HasSubstr("  shells      3, 3 of them closed\n"
+                        "              0: 12 triangles from 0 on, closed, volume 64\n"
+                        "              1: 12 triangles from 12 on, closed, volume -8, in shell 0\n"
+                        "              2: 12 triangles from 24 on, closed, volume -0.125, in shell 1, inside out\n"));
+  const json report = json::parse(content(folder / "report.json"));
+  const json shell = report.at("meshes")[0].at("shells")[2];
+  EXPECT_EQ(shell, (json{{"shell", 2},
+                         {"first_triangle", 24},
+                         {"triangles", 12},
+                         {"closed", true},
+                         {"oriented", true},
+                         {"volume", -0.125},
+                         {"volume_sign", -1},
+                         {"depth", 2},
+                         {"parent", 1},
+                         {"inside_out", true},
+                         {"internal_wall", false},
+                         {"meets_another", false},
+                         {"crosses_another", false}}));
+  EXPECT_EQ(report.at("meshes")[0].at("surface").at("inside_out_shells"), 1);
+}
+
+TEST(CheckSurface, DefectsAreDocumented) {
+  const std::string help = run("$PLUMB check --help").out;
+  const std::string page = content(std::string(PLUMB_SOURCE_DIR) + "/docs/meshes.md");
+  for (const std::string_view defect : surface_defects) {
+    EXPECT_THAT(help, HasSubstr("\n       " + std::string(defect) + "\n")) << defect;
+    EXPECT_THAT(page, HasSubstr("\n| `" + std::string(defect) + "` | ")) << defect;
+  }
+}
+
+TEST(CheckSurface, OfFilesOnWhichChecksFallShort) {
+  const std::filesystem::path cases = std::filesystem::path(PLUMB_SHARED_DIR) / "cases";
+  if (!std::filesystem::exists(cases)) {
+    std::cout << "skipped: there is no folder " << cases << "\n";
+    return;
+  }
+  const std::vector<std::array<std::string, 3>> files{
+      {"one_of_two_shells_inverted.obj", "inside-out", "turn shell 1 and no other"},
+      {"larger_shell_inverted.obj", "inside-out", "turn shell 1 and no other"},
+      {"two_shells_one_vertex.obj", "non-manifold-vertex", "1 non-manifold vertex"},
+      {"t_junctions.stl", "vertex-on-edge", "1 vertex on an edge"},
+      {"edge_of_four_faces.stl", "non-manifold-edge", "1 edge of more than two faces"},
+      {"internal_wall.stl", "internal-wall", "1 wall inside of a solid"}};
+  for (const auto& [file, defect, said] : files) {
+    const Outcome o = run("$PLUMB check --fail-on-defect " + defect + " " + (cases / file).string());
+    EXPECT_EQ(o.code, 1) << file;
+    EXPECT_THAT(o.out, HasSubstr(said)) << file;
+  }
 }
 
 TEST(CheckSurface, OfTheTeapot) {
@@ -167,9 +321,11 @@ TEST(CheckSurface, OfTheTeapot) {
     std::cout << "skipped: there is no file " << teapot << "\n";
     return;
   }
-  EXPECT_THAT(run("$PLUMB check " + teapot.string()).out,
-              HasSubstr("\n  surface     not closed, oriented, self-intersecting (403 vertices lie where another is: "
-                        "triangles that meet there share none, and touch), free of degenerate triangles\n"));
+  EXPECT_THAT(
+      run("$PLUMB check " + teapot.string()).out,
+      HasSubstr(
+          "\n  surface     19 shells, not closed, oriented, self-intersecting (403 vertices lie where another is: "
+          "triangles that meet there share none, and touch), free of degenerate triangles\n"));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ std::vector<std::string> lines_of_all(const std::string& mesh, const std::string
 
 std::vector<std::string> names_in(const json& report) {
   std::vector<std::string> names;
-  for (const json& mesh : report.at("meshes")) names.push_back(mesh.at("name"));
+  for (const json& mesh : report.at("meshes")) names.push_back(mesh.at("mesh"));
   return names;
 }
 
@@ -100,6 +100,51 @@ TEST(MeshInputs, ThatAreTooLargeNameTheOptionThatTakesThem) {
     const Outcome taken = run("$PLUMB " + line + enough);
     EXPECT_EQ(taken.code, 0) << line << ": " << taken.err;
   }
+}
+
+TEST(MeshInputs, AreReadStrictlyOrLenientlyByEveryCommand) {
+  const Folder folder;
+  const std::string odd = folder / "odd.obj", open = folder / "open.stl", new_file = folder / "new.ply";
+  put(odd, triangle + "f1 2 3\n");
+  put(open, "solid x\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n");
+  put(folder / "points.csv", "0,0,0\n");
+  const auto lines_of = [&](const std::string& mesh) {
+    std::vector<std::string> lines = lines_of_all(mesh, "--overwrite " + new_file);
+    for (const char* const before : {"bvh ", "intersect ", "pairs ", "inside --point 0,0,1 "})
+      lines.push_back(before + mesh);
+    lines.push_back("distance " + mesh + " " + mesh);
+    lines.push_back("convex " + mesh + " " + mesh);
+    lines.push_back("nearest " + mesh + " " + (folder / "points.csv"));
+    return lines;
+  };
+  for (const std::string& line : lines_of(odd)) {
+    const Outcome usual = run("$PLUMB " + line);
+    EXPECT_EQ(usual.code, 0) << line << ": " << usual.err;
+    EXPECT_THAT(usual.err, HasSubstr("plumb: " + odd +
+                                     ": passed over lines that are no statement of OBJ: 1, in line 5: \"f1 2 3\"\n"))
+        << line;
+    const Outcome strict = run("$PLUMB " + line + " --strict");
+    EXPECT_EQ(strict.code, 2) << line;
+    EXPECT_THAT(strict.err, StartsWith("plumb: " + odd + ":5: found \"f1 2 3\"")) << line;
+  }
+  for (const std::string& line : lines_of(open)) {
+    const Outcome usual = run("$PLUMB " + line);
+    EXPECT_EQ(usual.code, 2) << line;
+    EXPECT_THAT(usual.err, StartsWith("plumb: " + open + ":3: found \"outer\", expected `normal`")) << line;
+    const Outcome lenient = run("$PLUMB " + line + " --lenient");
+    EXPECT_EQ(lenient.code, 0) << line << ": " << lenient.err;
+    EXPECT_THAT(lenient.err, AllOf(HasSubstr("passed over facets without a normal: 1, in line 2"),
+                                   HasSubstr("passed over solids without `endsolid`: 1, in line 8: the file ends\n")))
+        << line;
+    EXPECT_THAT(run("$PLUMB " + line + " --lenient --strict").err,
+                HasSubstr("--strict and --lenient exclude each other"))
+        << line;
+  }
+  const json file = json::parse(run("$PLUMB check --lenient --json - " + open).out).at("meshes")[0].at("load");
+  EXPECT_EQ(file.at("passed_over_text")[0],
+            json({{"what", "facets without a normal"}, {"count", 1}, {"line", 2}, {"first", "\"facet\""}}));
+  EXPECT_THAT(run("$PLUMB check --lenient " + open).out,
+              HasSubstr("\n  passed over facets without a normal: 1, in line 2"));
 }
 
 /// A glTF of one triangle whose coordinates are in a file beside it.

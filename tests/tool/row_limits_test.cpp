@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
+#include "tool/inside/point_list.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/row_files.hpp"
 #include "tool/rows/decimal_rows.hpp"
 #include "tool/rows/npy.hpp"
+#include "tool/rows/number_table.hpp"
 #include "tool/run_program.hpp"
 
 namespace plumb::tool {
@@ -148,12 +150,48 @@ TEST(Npy, IsRefusedWithItsFault) {
               {"larger than the whole file"});
   expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 1)}"), {"cut short"});
   expect_text(with("{'descr': '<f8', 'fortran_order': False, 'shape': (0, 1)}"), {"8 bytes follow the array"});
-  for (const char* broken : {"", "{", "{}", "{'descr': '<f8'}", "{'descr': 8}", "{'descr': '<f8", "{'shape': (x)}",
-                             "{'fortran_order': 1}", "{'other': 1}", "{'shape': (1, 1)", "['descr']"})
+  for (const char* broken :
+       {"", "{", "{}", "{'descr': '<f8'}", "{'descr': 8}", "{'descr': '<f8", "{'shape': (x)}", "{'fortran_order': 1}",
+        "{'other': 1}", "{'shape': (1, 1)", "['descr']", "{'descr': '<f8', 'descr': '<f8', 'fortran_order': False}",
+        "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 1)} # rows"})
     expect_text(with(broken), {"the header of this NumPy file is broken"}, {}, broken);
   expect_text(fault("\x93NUMPX"), {"no NumPy file"});
   expect_text(fault(std::string("\x93NUMPY\x04\0\0\0\0\0", 12)), {"version 4.0"});
   expect_text(fault(npy_with("{", "").substr(0, 9)), {"cut short"});
+}
+
+// Columns that no row has were read as coordinates: id,x,y as points in space.
+TEST(NumberTable, HoldsColumnsToTheirNames) {
+  constexpr std::array<std::string_view, 2> plane{"x", "y"};
+  constexpr std::array<std::string_view, 3> space{"x", "y", "z"};
+  constexpr std::array<std::string_view, 4> box{"min x", "min y", "max x", "max y"};
+  constexpr std::array<std::string_view, 6> block{"min x", "min y", "min z", "max x", "max y", "max z"};
+  const auto columns = [](std::string_view text, const RowMeaning& meaning) {
+    try {
+      return parse_table(text, "t", meaning).columns;
+    } catch (const Error& e) {
+      EXPECT_THAT(e.what(), HasSubstr("t: the columns are named '")) << text;
+      return std::size_t{0};
+    }
+  };
+  const RowMeaning points{"a point", "points", plane, space}, boxes{"a box", "boxes", box, block};
+  for (const char* text : {"x,y\n1,2", "X;Y\n1;2", "\"x\" \"y\"\n1 2", "x\ty\r\n1\t2", " x , y \n1,2", "lon,lat\n1,2",
+                           "u,v\n1,2", "_x,y2\n1,2", "points\n1 2", "# y,x\n1,2"})
+    EXPECT_EQ(columns(text, points), 2U) << text;
+  for (const char* text : {"x,y,z\n1,2,3", "id,lon,lat\n1,2,3"}) EXPECT_EQ(columns(text, points), 3U) << text;
+  for (const char* text : {"id,x,y\n1,2,3", "x,y,id\n1,2,3", "y,x\n1,2", "z,y,x\n1,2,3", "x,z\n1,2", "x,y,z\n1,2",
+                           "x,x\n1,2", "x\n1,2", "X Y ID\n1 2 3", "name\tx\ty\n1\t2\t3"})
+    EXPECT_EQ(columns(text, points), 0U) << text;
+  for (const char* text : {"min x,min y,max x,max y\n0,0,1,1", "xmin,ymin,xmax,ymax\n0,0,1,1",
+                           "min_x min_y max_x max_y\n0 0 1 1", "left,low,right,high\n0,0,1,1"})
+    EXPECT_EQ(columns(text, boxes), 4U) << text;
+  for (const char* text : {"xmin,xmax,ymin,ymax\n0,0,1,1", "min x,min y,size x,size y\n0,0,1,1",
+                           "id,min x,min y,min z,max x,max y\n"
+                           "0,0,0,0,1,1"})
+    EXPECT_EQ(columns(text, boxes), 0U) << text;
+  EXPECT_THROW(parse_points("id,x,y\n1,2,3", "list"), Error);
+  EXPECT_THROW(parse_points("z,y,x\n1,2,3", "list"), Error);
+  EXPECT_EQ(parse_points("a,b,c\n1,2,3", "list").size(), 1U);
 }
 
 TEST(DecimalRows, PassOverAHeaderAndNothingElse) {

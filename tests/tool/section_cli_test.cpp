@@ -15,6 +15,7 @@
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 #include "tool/section/view.hpp"
+#include "tool/svg_lines.hpp"
 #include "tool/terminal/decimal_range.hpp"
 
 namespace plumb::tool {
@@ -106,6 +107,30 @@ TEST(Section, DrawsLayersAndAFileEach) {
   EXPECT_EQ(many, 7U);
   EXPECT_THAT(content(out + "/section-0007.svg"), AllOf(StartsWith("<svg"), HasSubstr("<title>z=9</title>")));
   EXPECT_EQ(content(out + "/section-0008.svg"), "");
+}
+
+// A line is a pixel wide where the picture has its own size, 900 pixels along the larger side, however large the mesh is.
+TEST(Section, DrawsLinesOfAShareOfTheDrawing) {
+  const Folder folder;
+  for (const double size : {1e-150, 1e-9, 0.001, 1.0, 12'345.0, 1e9, 1e150}) {
+    TriangleMesh mesh = solids::box({-size, -size, -size}, {3 * size, size, size});
+    mesh.triangles.pop_back();  // an open chain as well
+    write_mesh(folder / "box.obj", mesh);
+    const std::string out = folder / "out";
+    const Outcome o =
+        run("$PLUMB section --plane 0,0,1,0 --plane 1,0,0,0 --svg - --out " + out + " " + (folder / "box.obj"));
+    EXPECT_EQ(o.code, 0) << o.err;
+    for (const std::string& svg : {o.out, content(out + "/section-0001.svg"), content(out + "/section-0002.svg")}) {
+      const SvgLines drawn = svg_lines(svg);
+      ASSERT_EQ(drawn.widths.size(), 1U) << svg;
+      EXPECT_NEAR(drawn.widths[0] * 900 / drawn.larger_side, 1, 1e-12) << size;
+      EXPECT_GE(drawn.larger_side, 4 * size) << size;
+      EXPECT_LE(drawn.larger_side, 4.5 * size) << size;
+      for (const char* word : {"vector-effect", "<style", "px"}) EXPECT_EQ(svg.find(word), svg.npos) << word;
+    }
+    for (const char* stroke : {"stroke=\"#224466\"", "stroke=\"#cc3311\""})
+      EXPECT_NE(o.out.find(stroke), o.out.npos) << o.out;
+  }
 }
 
 TEST(Section, ReplacesTheFolderOnlyWithTheFilesBesideIt) {

@@ -9,6 +9,8 @@
 #include <cfloat>
 #include <limits>
 
+#include "plumb/predicates/standard.hpp"
+
 #if defined(__FAST_MATH__)
 #error "plumb: -ffast-math breaks the proofs behind every exact sign; compile without it"
 #endif
@@ -20,3 +22,18 @@
 #endif
 
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
+
+// Part of -ffast-math by another name.  GCC says each by a macro; Clang 14 none of these, and check_environment() looks
+// for what they do to the code that calls it.
+#if defined(__ASSOCIATIVE_MATH__)
+#error "plumb: -fassociative-math (of -funsafe-math-optimizations) reorders the sums of the proofs; compile without it"
+#endif
+#if defined(__RECIPROCAL_MATH__)
+#error "plumb: -freciprocal-math (of -funsafe-math-optimizations) rounds a quotient twice; compile without it"
+#endif
+#if defined(__NO_SIGNED_ZEROS__)
+#error "plumb: -fno-signed-zeros (of -funsafe-math-optimizations) changes the bits of answers; compile without it"
+#endif
+#if defined(__GCC_IEC_559) && __GCC_IEC_559 == 0 && !defined(__FAST_MATH__)
+#error "plumb: an option takes IEEE-754 arithmetic away (GCC says so by __GCC_IEC_559); compile without it"
+#endif

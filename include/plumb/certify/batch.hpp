@@ -18,10 +18,11 @@
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/points_view.hpp"
 #include "plumb/arith/sign.hpp"
+#include "plumb/certify/answered.hpp"
 
 namespace plumb {
 
-/// On how many threads: the caller's, or also those of oneTBB where there are enough cases to occupy them.
+/// On how many threads: the caller's, or also others where there are enough cases to occupy them (thread_limit.hpp).
 enum class Execution : unsigned char { serial, parallel };
 
 void orient2d(std::span<const Point2> a, std::span<const Point2> b, std::span<const Point2> c, std::span<Sign> out,

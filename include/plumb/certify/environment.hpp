@@ -42,8 +42,11 @@ bool thread_is_sound();
 }
 [[maybe_unused]] static bool fast_math_here() {
   const volatile double large = 0x1p53, one = 1, nan = large * 0x1p1000 * 0 / (large - large);
-  const double l = large, o = one, n = nan;
-  return (l + o) - l != 0 || n == n;  // reassociated, the sum is exact; finite-only, a NaN equals itself
+  const volatile double five = 5, minus_zero = -0.0, infinite = large * 0x1p1000;
+  const double l = large, o = one, n = nan, f = five, z = minus_zero, i = infinite;
+  const bool reassociates = (l + o) - l != 0, by_reciprocals = f / 49 != 0x1.a1f58d0fac688p-4;  // exact; rounded twice
+  const bool has_no_nan = n == n, has_no_infinity = !__builtin_isinf(i), drops_zeros = __builtin_signbit(z + 0.0) != 0;
+  return reassociates || by_reciprocals || has_no_nan || has_no_infinity || drops_zeros;
 }
 
 }  // namespace certify::environment

@@ -17,7 +17,8 @@ namespace plumb::degenerate {
 /// "orient3d 0x0p+0 ... = +"
 std::string case_line(const Kind& kind, std::span<const double> numbers);
 
-/// Nothing for blank lines, comments and cases of other kinds.  Throws Error, which says what is no case and why.
+/// Nothing for blank lines, comments and cases of other kinds.  Throws Error, which says what is no case and why.  An
+/// answer may be missing; one that is there is of the kind's form, but need not be right: conventions differ.
 std::optional<Numbers> parse_case(const Kind& kind, std::string_view line);
 
 /// Argument by argument: "a = (0.1, 2, 3)", decimals that read back.

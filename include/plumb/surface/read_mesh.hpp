@@ -14,11 +14,13 @@
 //   In both a part is where its transforms put it: read as it is where they are the identity, otherwise each coordinate
 //   the double nearest to the exact product of all of them, and counted.  A transform that mirrors turns the faces.
 // - Packed by gzip (part.stl.gz, known by its content): unpacked first, each member held to its checksum.
-// - OBJ: v, f (any corner form, negative indices, forward references), continued lines; the rest is passed over.
-// - OFF: the prefixes ST, C, N; counts on the header line or below; what follows a vertex or face on its line is not
-//   read.
-// - PLY: any scalar types, faces and triangle strips; other elements and properties are passed over; a coordinate in
-//   ASCII is read as the decimal that it is, also where the header calls it `float`.
+// - OBJ: v, f (any corner form, negative indices, forward references), continued lines; other statements of the format
+//   are not read.  A line that is none, or says more than its statement, is passed over and told in the report.
+// - OFF: the prefixes ST, C, N; a line for each vertex and face, behind which colors and the like may stand, or numbers
+//   on any lines.
+// - STL: words on any lines.  The name of a solid ends with its line, or where a facet begins.
+// - PLY: any scalar types, faces and triangle strips; other elements and properties are passed over; numbers of ASCII on
+//   any lines; a coordinate in it is read as the decimal that it is, also where the header calls it `float`.
 // Faces of one or two corners, which OBJ, OFF and PLY allow, and the turns of strips, which name a vertex twice, are no
 // surface: left out, and counted in the report.
 // Source: RTCD 2.2.1.
@@ -26,6 +28,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +37,14 @@
 #include "plumb/surface/mesh_file.hpp"
 
 namespace plumb {
+
+/// What a file has of one sort to which its format gives no meaning, and which was not read.
+struct PassedOver {
+  std::string what;  // "lines that are no statement of OBJ"
+  std::uint64_t count = 0;
+  std::optional<std::uint64_t> line, byte;  // where the first is
+  std::string first;                        // what it says, in quotes where it is text
+};
 
 struct LoadReport {
   MeshFormat format = MeshFormat::obj;
@@ -54,15 +65,25 @@ struct LoadReport {
   std::uint64_t transformed = 0;       // coordinates that a transform other than the identity has made
   std::uint64_t rounded = 0;           // those of them whose exact value is no double
   std::vector<std::string> files_beside{};  // that were read as well: a glTF's buffers
+  std::vector<PassedOver> passed_over{};    // each sort once, in the order of their first
+};
+
+/// What becomes of a file that is not as its format has it.  Whatever a stricter reading takes, a laxer one reads alike.
+enum class Strictness {
+  strict,  // refused
+  usual,   // refused, unless it is text for which the format has a place but no meaning: that is passed over
+  lenient,  // read as far as its triangles can be told: bytes behind the last facet, counts that are wrong, an STL without
+            // normals or `endsolid`, lines among its facets
 };
 
 /// How much a small file may become.  What is packed unpacks to no more than `most_bytes`, nor to more than
 /// `most_ratio` times its own size, of which the first 16 MiB are free.  `points_too`: a file of vertices without a face,
-/// a cloud of points, is no error.
+/// a cloud of points, is no error.  What was passed over, the report lists.
 struct ReadOptions {
   std::uint64_t most_bytes = std::uint64_t{4} << 30;
   std::uint64_t most_ratio = 250;
   bool points_too = false;
+  Strictness strictness = Strictness::usual;
 };
 
 /// The mesh of a file, its polygons triangulated.  Throws MeshFileError.
@@ -72,7 +93,8 @@ TriangleMesh read_mesh(const std::string& path, LoadReport* report = nullptr, co
 PolygonMesh read_polygon_mesh(const std::string& path, LoadReport* report = nullptr, const ReadOptions& options = {});
 
 /// The mesh that these bytes are the file of; `name` stands for the file in errors.
-PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report = nullptr);
+PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report = nullptr,
+                       const ReadOptions& options = {});
 
 /// The same of a file in any format, packed or not: the content tells, or the name's extension.
 PolygonMesh parse_mesh(std::string_view bytes, const std::string& name, LoadReport* report = nullptr,

@@ -1,6 +1,6 @@
-// Work in parts that do not depend on each other, on all threads where asked: oneTBB's parallel_for, compiled once.
+// Work in parts that do not depend on each other, on all threads where asked: who takes part says shared_work.hpp.
 //
-// Cost: a call by a pointer a part.  As a template of the work each loop was some ten functions of oneTBB's.
+// Cost: a call by a pointer a part.  As a template of the work each loop would be compiled as often as it is asked.
 #pragma once
 
 #include <cstddef>

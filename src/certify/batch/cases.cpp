@@ -1,14 +1,12 @@
 #include "certify/batch/cases.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
 
+#include "certify/batch/all_threads.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb::certify::batch {
@@ -84,15 +82,16 @@ std::size_t first_bad_serially(const Run& run) {
 
 std::size_t first_bad_in_parallel(const Run& run) {
   std::atomic<std::size_t> first = none;
-  const auto decide = [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t c = range.begin(); c != range.end() && c * chunk < first.load(); ++c) {
+  const auto decide = [&](std::size_t part) {
+    const std::size_t begin = part * chunks_for_a_thread, end = std::min(run.chunks(), begin + chunks_for_a_thread);
+    for (std::size_t c = begin; c < end && c * chunk < first.load(); ++c) {
       const std::size_t bad = run.decide(c);
       std::size_t known = first.load();
       while (bad < known && !first.compare_exchange_weak(known, bad)) {
       }
     }
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, run.chunks(), chunks_for_a_thread), decide);
+  for_each_part(Execution::parallel, (run.chunks() + chunks_for_a_thread - 1) / chunks_for_a_thread, decide);
   return first.load();
 }
 

@@ -7,10 +7,10 @@
 namespace plumb::certify::batch {
 namespace {
 
-HWY_EXPORT(many_points);
-HWY_EXPORT(many_coordinates);
-HWY_EXPORT(points_against);
-HWY_EXPORT(coordinates_against);
+PLUMB_EXPORT(many_points);
+PLUMB_EXPORT(many_coordinates);
+PLUMB_EXPORT(points_against);
+PLUMB_EXPORT(coordinates_against);
 
 #define PLUMB_BATCH_CHOSEN(filter)                                                                         \
   [](const void* given, const double* const* at, std::size_t n, signed char* out, std::uint32_t* unsure) { \

@@ -1,5 +1,9 @@
 #include "certify/batch/instruction_sets.hpp"
 // First, as it says for which targets there are filters.
+#if defined(__x86_64__)
+#include <cpuid.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -21,7 +25,32 @@ struct Named {
 constexpr std::array all{Named{"avx512", HWY_AVX3}, Named{"avx2", HWY_AVX2}, Named{"ssse3", HWY_SSSE3},
                          Named{"neon", HWY_NEON}, Named{"none", HWY_SCALAR}};
 
-std::int64_t present() { return hwy::SupportedTargets() | HWY_SCALAR; }
+#if defined(__x86_64__)
+constexpr unsigned bit_of_aes = 25, bit_of_f16c = 29, bit_of_lzcnt = 5;
+
+bool has_bit(unsigned leaf, unsigned bit) {
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  return __get_cpuid(leaf, &a, &b, &c, &d) != 0 && (c >> bit & 1) != 0;
+}
+
+/// What the compiler may use in code for a target, as Highway's set_macros-inl.h names it.
+std::int64_t present() {
+  const auto has = [](auto... sets) { return (sets && ...); };
+  const bool sse4 = has(__builtin_cpu_supports("sse4.1") != 0, __builtin_cpu_supports("sse4.2") != 0,
+                        __builtin_cpu_supports("pclmul") != 0, has_bit(1, bit_of_aes));
+  const bool avx2 = has(sse4, __builtin_cpu_supports("avx2") != 0, __builtin_cpu_supports("fma") != 0,
+                        __builtin_cpu_supports("bmi") != 0, __builtin_cpu_supports("bmi2") != 0,
+                        has_bit(1, bit_of_f16c), has_bit(0x80000001, bit_of_lzcnt));
+  const bool avx3 = has(avx2, __builtin_cpu_supports("avx512f") != 0, __builtin_cpu_supports("avx512vl") != 0,
+                        __builtin_cpu_supports("avx512dq") != 0, __builtin_cpu_supports("avx512bw") != 0);
+  return HWY_SCALAR | (__builtin_cpu_supports("ssse3") != 0 ? HWY_SSSE3 : 0) | (avx2 ? HWY_AVX2 : 0) |
+         (avx3 ? HWY_AVX3 : 0);
+}
+#elif defined(__aarch64__)
+std::int64_t present() { return HWY_NEON | HWY_SCALAR; }
+#else
+std::int64_t present() { return HWY_SCALAR; }
+#endif
 
 /// What the environment asked for when it was first looked at; empty: nothing.
 const std::string& asked_at_start() {

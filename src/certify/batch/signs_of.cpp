@@ -9,7 +9,6 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "certify/batch/signs_of.cpp"
-#include <hwy/aligned_allocator.h>
 #include <hwy/foreach_target.h>
 
 #include "certify/batch/run_blocks.hpp"
@@ -20,7 +19,7 @@
 namespace plumb::certify::batch {
 namespace {
 
-HWY_EXPORT(run_blocks);
+PLUMB_EXPORT(run_blocks);
 
 /// What an argument, or one of its coordinates, is called: "b", "b.y".
 std::string name_of(const BatchFormula& asked, std::size_t coordinate, bool with_axis) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "certify/case_line.hpp"
@@ -12,18 +12,17 @@
 namespace plumb {
 namespace {
 
-/// A number with nine decimals, rounded up.
-std::string with_decimals(double x) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.9f", std::ceil(x * 1e9) / 1e9);
-  return text.data();
+/// With a point, whatever the locale.
+std::string decimal(double x, int decimals) {
+  std::array<char, 512> text;  // room for the greatest double
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::fixed, decimals).ptr;
+  return {text.data(), end};
 }
 
-std::string counted(double n, const std::string& what) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.0f ", n);
-  return text.data() + what + (n == 1 ? "" : "s");
-}
+/// A number with nine decimals, rounded up.
+std::string with_decimals(double x) { return decimal(std::ceil(x * 1e9) / 1e9, 9); }
+
+std::string counted(double n, const std::string& what) { return decimal(n, 0) + " " + what + (n == 1 ? "" : "s"); }
 
 }  // namespace
 

@@ -137,10 +137,10 @@ namespace plumb {
 namespace figure::box_batch {
 namespace {
 
-HWY_EXPORT(many_boxes);
-HWY_EXPORT(one_box);
-HWY_EXPORT(many_spheres);
-HWY_EXPORT(one_sphere);
+PLUMB_EXPORT(many_boxes);
+PLUMB_EXPORT(one_box);
+PLUMB_EXPORT(many_spheres);
+PLUMB_EXPORT(one_sphere);
 
 constexpr std::size_t chunk = 1024;
 

@@ -1,10 +1,10 @@
 #include "plumb/figure/hull/hull2.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <limits>
+#include <span>
 
+#include "certify/batch/all_threads.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/hull/hull2_steps.hpp"
 #include "plumb/arith/error.hpp"
@@ -12,12 +12,27 @@
 namespace plumb {
 namespace figure::hull2 {
 
-void sort_distinct(std::vector<Indexed>& points, Execution execution) {
-  if (execution == Execution::parallel) {
-    tbb::parallel_sort(points.begin(), points.end(), before);
-  } else {
+namespace {
+
+/// The lower half and the upper one, each on a thread of its own where there is one.
+void sort_halves(std::span<Indexed> points, int halvings) {
+  constexpr std::size_t worth_a_task = 1 << 14;
+  if (halvings == 0 || points.size() <= worth_a_task) {
     std::sort(points.begin(), points.end(), before);
+    return;
   }
+  const std::size_t middle = points.size() / 2;
+  std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(middle), points.end(), before);
+  certify::batch::for_each_part(Execution::parallel, 2, [&](std::size_t half) {
+    sort_halves(half == 0 ? points.first(middle) : points.subspan(middle), halvings - 1);
+  });
+}
+
+}  // namespace
+
+void sort_distinct(std::vector<Indexed>& points, Execution execution) {
+  constexpr int most_halvings = 5;  // 32 parts: no more threads gain by it
+  sort_halves(points, execution == Execution::parallel ? most_halvings : 0);
   const auto equal = [](const Indexed& a, const Indexed& b) { return a.p == b.p; };
   points.erase(std::unique(points.begin(), points.end(), equal), points.end());
 }

@@ -89,8 +89,8 @@ int run_chart(const ChartOptions& options, std::span<const trial::Rival> rivals)
   files.push_back({"chart.json", raw.dump(2) + "\n"});
   files.push_back({"chart.html", trials_html(trials, raw)});
   const std::size_t count = files.size();
-  write_report(*options.out, "chart", std::move(files));
   say(fmt::format("{} files in {}\n", count, printable(*options.out)));
+  write_report(*options.out, "chart", std::move(files));
   return 0;
 }
 

@@ -66,17 +66,17 @@ int run_stability(const StabilityOptions& options, std::vector<Experiment> exper
     table += scene_text(r, Style(false)) + "\n";
     for (const stability::Picture& p : r.findings.pictures) files.push_back({p.name + ".svg", p.svg});
   }
+  const std::vector<std::string> failed = failed_exactly(reports);
+  for (const std::string& scene : failed) complain(fmt::format("the exact method failed in {}", scene));
   if (options.out) {
     files.push_back({"stability.txt", std::move(table)});
     const nlohmann::json raw = scenes_json(reports, options.settings);
     files.push_back({"stability.json", raw.dump(2) + "\n"});
     files.push_back({"stability.html", scenes_html(reports, raw)});
     const std::size_t count = files.size();
-    write_report(*options.out, "stability", std::move(files));
     say(fmt::format("{} files in {}\n", count, printable(*options.out)));
+    write_report(*options.out, "stability", std::move(files));
   }
-  const std::vector<std::string> failed = failed_exactly(reports);
-  for (const std::string& scene : failed) complain(fmt::format("the exact method failed in {}", scene));
   return failed.empty() ? 0 : 1;
 }
 

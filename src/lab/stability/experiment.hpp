@@ -23,7 +23,7 @@ struct Count {
   std::uint64_t failures = 0, of = 0;
 };
 
-/// Methods are named as in src/tool/trial: float32, double, absolute, relative, long-double, exact ...
+/// Methods are named as in src/lab/trial: float32, double, absolute, relative, long-double, exact ...
 struct MethodOutcome {
   std::string method;
   std::vector<Count> counts;  // of all methods of a scene the same failures, in the same order

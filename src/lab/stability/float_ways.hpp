@@ -1,4 +1,4 @@
-// How do the usual numbers answer a question of shapes?  An algorithm of src/tool/trial over each of them, beside ours.
+// How do the usual numbers answer a question of shapes?  An algorithm of src/lab/trial over each of them, beside ours.
 //
 //   auto ways = float_ways<15>(trial::RayAgainstTriangle<false>{});
 //   ways.push_back(exact_way<15>([](const std::array<double, 15>& q) { return hits(ray_of(q), triangle_of(q)); }));

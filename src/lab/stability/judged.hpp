@@ -1,4 +1,4 @@
-// What is asked, and what is true of it?  Questions of a task of src/tool/trial with their true answers.
+// What is asked, and what is true of it?  Questions of a task of src/lab/trial with their true answers.
 //
 // Law: the same task, seed and number give the same questions; the judge computes in GMP's rationals.
 // Source: none.

@@ -255,8 +255,8 @@ int run_vectors(const VectorsOptions& options) {
   require_report_folder(options.out, "vectors", file_names());  // before seconds of work, not after
   std::vector<NamedText> files = vector_files(options.seed);
   const std::size_t count = files.size();
-  write_report(options.out, "vectors", std::move(files));
   say(fmt::format("{} files in {}\n", count, printable(options.out)));
+  write_report(options.out, "vectors", std::move(files));
   return 0;
 }
 

@@ -1,7 +1,9 @@
 #include "plumb/query/certificate/certificate_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "certify/case_line.hpp"
 #include "plumb/arith/error.hpp"
@@ -93,18 +95,79 @@ std::string finished(Json json, const Proof& proof, const BodyView& a, const Bod
   return json.dump();
 }
 
+constexpr std::string_view digits = "0123456789";
+
+/// A text in JSON's own spelling, which no control character gets out of.
+std::string quoted(const std::string& text) { return Json(text).dump(-1, ' ', true); }
+
+/// "0", "-12", "3/8": one spelling of an integer.
+bool is_fraction(std::string_view word) {
+  if (word == "0") return true;
+  if (word.starts_with('-')) word.remove_prefix(1);
+  const auto is_natural = [](std::string_view n) {
+    return !n.empty() && !n.starts_with('0') && n.find_first_not_of(digits) == n.npos;
+  };
+  const std::size_t bar = word.find('/');
+  return is_natural(word.substr(0, bar)) && (bar == word.npos || is_natural(word.substr(bar + 1)));
+}
+
+/// The double that "-0x1.8p-3" is: a digit 0 or 1, up to 13 more, and a power of up to four.  Nothing where that is
+/// another spelling, or lies between two doubles or beyond them all.
+std::optional<double> hexadecimal_double(std::string_view word) {
+  const bool minus = word.starts_with('-');
+  if (minus) word.remove_prefix(1);
+  if (!word.starts_with("0x0") && !word.starts_with("0x1")) return {};
+  const std::size_t p = word.find('p');
+  if (p == word.npos) return {};
+  std::string_view part = word.substr(3, p - 3), power = word.substr(p + 1);
+  const bool has_point = part.starts_with('.'), is_small = power.starts_with('-');
+  if (has_point) part.remove_prefix(1);
+  if (has_point == part.empty() || part.size() > 13) return {};
+  if (!is_small && !power.starts_with('+')) return {};
+  power.remove_prefix(1);
+  if (power.empty() || power.size() > 4 || (power.size() > 1 && power.starts_with('0'))) return {};
+  std::int64_t whole = word[2] - '0';
+  for (const char c : part) {
+    const std::size_t digit = std::string_view("0123456789abcdef").find(c);
+    if (digit == std::string_view::npos) return {};
+    whole = 16 * whole + static_cast<std::int64_t>(digit);
+  }
+  int exponent = 0;
+  for (const char c : power) {
+    if (digits.find(c) == digits.npos) return {};
+    exponent = 10 * exponent + (c - '0');
+  }
+  exponent = (is_small ? -exponent : exponent) - 4 * static_cast<int>(part.size());
+  const auto mantissa = static_cast<double>(whole);  // of 53 bits
+  const double x = std::ldexp(mantissa, exponent);
+  if (std::ldexp(x, -exponent) != mantissa) return {};
+  return minus ? -x : x;
+}
+
 /// A value, and where in the text it is.
 class Place {
  public:
   Place(const Json& json, std::string name) : json_(&json), name_(std::move(name)) {}
 
-  [[noreturn]] void refuse(const std::string& what) const { throw Error("read_certificate: " + name_ + what); }
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error("read_certificate: " + (name_.empty() ? "the certificate" : name_) + what);
+  }
 
   [[nodiscard]] bool has(const char* key) const { return json_->is_object() && json_->contains(key); }
   [[nodiscard]] Place operator[](const char* key) const {
-    const std::string name = name_.empty() ? key : name_ + "." + key;
+    std::string name = name_.empty() ? key : name_ + "." + key;
     if (!has(key)) throw Error("read_certificate: " + name + " is missing");
-    return {(*json_)[key], name};
+    return {(*json_)[key], std::move(name)};
+  }
+  /// Throws where it has a member that is none of these.
+  void require_known(std::initializer_list<std::string_view> known) const {
+    if (!json_->is_object()) refuse(" is no object");
+    for (const auto& [key, value] : json_->items()) {
+      if (std::ranges::find(known, key) != known.end()) continue;
+      std::string names;
+      for (const std::string_view name : known) names.append(names.empty() ? "" : ", ").append(name);
+      refuse(" has a member " + quoted(key) + " that is not known; there are " + names);
+    }
   }
   [[nodiscard]] std::size_t size() const {
     if (!json_->is_array()) refuse(" is no list");
@@ -125,39 +188,17 @@ class Place {
     return json_->get<std::uint32_t>();
   }
   [[nodiscard]] double real() const {
-    const std::string word = text();
-    if (!is_hexadecimal(word)) refuse(" is \"" + word + "\"; give a hexadecimal double, such as 0x1.8p-3");
-    return parsed(word);
+    if (const auto x = hexadecimal_double(text())) return *x;
+    refuse(" is " + quoted(text()) + "; give a hexadecimal double as it is written here, such as 0x1.8p-3");
   }
   [[nodiscard]] Rational exact() const {
     const std::string word = text();
-    if (is_hexadecimal(word)) return parsed(word);
-    if (!is_fraction(word)) refuse(" is \"" + word + "\"; give a fraction such as -3/8, or a hexadecimal double");
-    try {
-      return Rational::from_text(word);
-    } catch (const Error& e) {
-      refuse(std::string(": ").append(e.what()));
-    }
+    if (is_fraction(word)) return Rational::from_text(word);
+    if (word.find('x') != word.npos) return Rational(real());
+    refuse(" is " + quoted(word) + "; give a fraction such as -3/8, or a hexadecimal double");
   }
 
  private:
-  static bool is_hexadecimal(std::string_view word) { return word.starts_with("0x") || word.starts_with("-0x"); }
-  static bool is_fraction(std::string_view word) {
-    constexpr const char* digits = "0123456789";
-    if (word.starts_with('-')) word.remove_prefix(1);
-    const std::size_t bar = std::min(word.find_first_not_of(digits), word.size());
-    const std::string_view over = word.substr(std::min(bar + 1, word.size()));
-    if (bar == word.size()) return bar > 0;
-    return bar > 0 && word[bar] == '/' && !over.empty() && over.find_first_not_of(digits) == over.npos;
-  }
-  [[nodiscard]] double parsed(const std::string& word) const {
-    try {
-      return parse_double(word);
-    } catch (const Error& e) {
-      refuse(std::string(": ").append(e.what()));
-    }
-  }
-
   const Json* json_;
   std::string name_;
 };
@@ -178,6 +219,7 @@ std::array<Vector3, N> vectors(const Place& at) {
 RecordedBody body_at(const Place& at) {
   RecordedBody body;
   if (at.has("vertices")) {
+    at.require_known({"vertices", "radius", "pose"});
     std::vector<Point3> points;
     const Place list = at["vertices"];
     for (std::size_t i = 0; i < list.size(); ++i) points.push_back(triplet<Point3>(list.item(i)));
@@ -191,17 +233,29 @@ RecordedBody body_at(const Place& at) {
       at["radius"].refuse(" is of one vertex, or of two");
     }
   } else if (at.has("min")) {
+    at.require_known({"min", "max", "pose"});
     body.shape = Aabb3{triplet<Point3>(at["min"]), triplet<Point3>(at["max"])};
   } else if (at.has("corner")) {
+    at.require_known({"corner", "edges", "radius", "pose"});
     body.shape = Lozenge3{triplet<Point3>(at["corner"]), vectors<2>(at["edges"]), at["radius"].real()};
-  } else if (at["axes"].size() == 3) {
-    body.shape = Obb3{triplet<Point3>(at["center"]), vectors<3>(at["axes"]), triplet<Vector3>(at["half"])};
+  } else if (at.has("center")) {
+    at.require_known({"center", "axes", "half", "pose"});
+    const Point3 center = triplet<Point3>(at["center"]);
+    const Place half = at["half"];
+    if (at["axes"].size() == 3) {
+      body.shape = Obb3{center, vectors<3>(at["axes"]), triplet<Vector3>(half)};
+    } else {
+      half.require_size(2);
+      body.shape = Rectangle3{center, vectors<2>(at["axes"]), {half.item(0).real(), half.item(1).real()}};
+    }
   } else {
-    at["half"].require_size(2);
-    body.shape = Rectangle3{
-        triplet<Point3>(at["center"]), vectors<2>(at["axes"]), {at["half"].item(0).real(), at["half"].item(1).real()}};
+    at.refuse(" has none of vertices, min, corner and center, one of which says what it is");
   }
-  if (at.has("pose")) body.pose = Pose{vectors<3>(at["pose"]["columns"]), triplet<Vector3>(at["pose"]["translation"])};
+  if (at.has("pose")) {
+    const Place pose = at["pose"];
+    pose.require_known({"columns", "translation"});
+    body.pose = Pose{vectors<3>(pose["columns"]), triplet<Vector3>(pose["translation"])};
+  }
   return body;
 }
 
@@ -213,21 +267,52 @@ Proof evidence_at(const Place& at, Proof proof) {
     proof.direction = ExactVector3{n.item(0).exact(), n.item(1).exact(), n.item(2).exact()};
   }
   const Place pairs = at["pairs"];
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    proof.pairs.push_back({pairs.item(i)["a"].index(), pairs.item(i)["b"].index(), pairs.item(i)["weight"].exact()});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Place pair = pairs.item(i);
+    pair.require_known({"a", "b", "weight"});
+    proof.pairs.push_back({pair["a"].index(), pair["b"].index(), pair["weight"].exact()});
+  }
   return proof;
 }
 
 std::variant<Certificate, DistanceCertificate> proof_at(const Place& at) {
   const std::string claim = at["claim"].text();
   if (claim == "distance") {
+    at.require_known({"claim", "distance", "square", "inset", "direction", "pairs", "a", "b"});
     const double distance = at["distance"].text() == "infinity" ? HUGE_VAL : at["distance"].real();
     return evidence_at(at, DistanceCertificate{distance, {at["square"].exact(), at["inset"].exact()}, {}, {}});
   }
   for (const Claim c : {Claim::disjoint, Claim::touching, Claim::overlapping, Claim::intersecting}) {
-    if (claim == name_of(c)) return evidence_at(at, Certificate{c, {}, {}});
+    if (claim != name_of(c)) continue;
+    at.require_known({"claim", "direction", "pairs", "a", "b"});
+    return evidence_at(at, Certificate{c, {}, {}});
   }
-  at["claim"].refuse(" is \"" + claim + "\"; it is disjoint, touching, overlapping, intersecting or distance");
+  at["claim"].refuse(" is " + quoted(claim) + "; it is disjoint, touching, overlapping, intersecting or distance");
+}
+
+/// JSON of one line.  Its library passes over a byte-order mark, what follows a NUL and members that are given twice, and
+/// copies values by recursion, which lists within lists without end exhaust: those are refused here.
+Json read_line(std::string_view line) {
+  if (line.ends_with('\n')) line.remove_suffix(1);
+  if (line.find('\n') != line.npos) throw Error("read_certificate: a certificate is one line, and this is several");
+  if (line.starts_with("\xef\xbb\xbf") || line.find('\0') != line.npos)
+    throw Error("read_certificate: not JSON: it holds a byte-order mark or a NUL");
+  constexpr int deepest = 5;  // the certificate, a body, its pose, its columns, a column
+  std::vector<std::set<std::string>> open;
+  const auto once = [&](int depth, Json::parse_event_t event, const Json& value) {
+    const bool starts = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (starts && depth >= deepest) throw Error("read_certificate: lists and objects within one another are too many");
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(value.get<std::string>()).second)
+      throw Error("read_certificate: " + quoted(value.get<std::string>()) + " is given twice");
+    return true;
+  };
+  try {
+    return Json::parse(line, once);
+  } catch (const nlohmann::json::exception& e) {
+    throw Error(std::string("read_certificate: not JSON: ").append(e.what()));
+  }
 }
 
 BodyView view_of_recorded(const RecordedBody& body) {
@@ -263,12 +348,7 @@ std::string text_of_proof(const DistanceCertificate& c, const BodyView& a, const
 }  // namespace query
 
 RecordedProof read_certificate(std::string_view text) {
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const nlohmann::json::exception& e) {
-    throw Error(std::string("read_certificate: not JSON: ").append(e.what()));
-  }
+  const Json json = read_line(text);
   const Place all(json, "");
   return {proof_at(all), body_at(all["a"]), body_at(all["b"])};
 }

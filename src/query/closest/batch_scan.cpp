@@ -150,10 +150,10 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::query::batch {
 namespace {
 
-HWY_EXPORT(points);
-HWY_EXPORT(segments);
-HWY_EXPORT(triangles);
-HWY_EXPORT(list);
+PLUMB_EXPORT(points);
+PLUMB_EXPORT(segments);
+PLUMB_EXPORT(triangles);
+PLUMB_EXPORT(list);
 
 }  // namespace
 

@@ -130,8 +130,8 @@ namespace plumb {
 namespace query::overlap_batch {
 namespace {
 
-HWY_EXPORT(triangles);
-HWY_EXPORT(boxes);
+PLUMB_EXPORT(triangles);
+PLUMB_EXPORT(boxes);
 
 constexpr std::size_t chunk = 1024;
 

@@ -4,6 +4,7 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "query/body/chain_edges.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/odd_edges.hpp"
@@ -14,7 +15,6 @@ namespace plumb {
 namespace query {
 namespace {
 
-using Chain3 = std::span<const Point3>;
 template <class T>
 using Vec = arith::Vec<T>;
 
@@ -92,21 +92,16 @@ class Inside {
   CertainSigns ask_;
 };
 
-std::vector<Segment3> edges_of(std::span<const Chain3> chains) {
+template <class Polygon>
+std::vector<Segment3> edges_of(const Polygon& polygon) {
   std::vector<Segment3> edges;
-  for (const Chain3& chain : chains) {
-    const Point3* a = &chain.back();
-    for (const Point3& b : chain) {
-      edges.push_back({*a, b});
-      a = &b;
-    }
-  }
+  for (const ChainEdge& e : chain_edges(polygon)) edges.push_back(e.shape);
   return edges;
 }
 
 /// The plane of the chains, with three corners that span it.
 PlaneOfPoints plane_of(const std::vector<Segment3>& edges, std::string_view function, std::string_view name) {
-  const PlaneOfPoints plane = plane_of_points(edges.size(), [&](std::size_t i) -> const Point3& { return edges[i].b; });
+  const PlaneOfPoints plane = plane_of_points(edges.size(), [&](std::size_t i) -> const Point3& { return edges[i].a; });
   require_planar(function, name, plane);
   return plane;
 }
@@ -130,11 +125,10 @@ bool is_alone(std::span<const Segment3> edges, std::size_t i) {
 }
 
 template <class Round>
-Relation relate_edges(std::span<const Chain3> chains, const Round& round, std::string_view function,
+Relation relate_edges(const std::vector<Segment3>& edges, const Round& round, std::string_view function,
                       std::string_view name) {
-  const std::vector<Segment3> edges = edges_of(chains);
   const PlaneOfPoints plane = plane_of(edges, function, name);
-  const std::array<Point3, 3> span{edges[plane.span[0]].b, edges[plane.span[1]].b, edges[plane.span[2]].b};
+  const std::array<Point3, 3> span{edges[plane.span[0]].a, edges[plane.span[1]].a, edges[plane.span[2]].a};
   Relation all = Relation::disjoint;
   if (plane.dimension == 2) {
     all = relate_inside(edges, span, round);
@@ -161,23 +155,11 @@ Relation relate_edges(std::span<const Chain3> chains, const Round& round, std::s
   return all;
 }
 
-std::vector<Chain3> chains_of(const Polygon3& a) { return {a.vertices}; }
-std::vector<Chain3> chains_of(const HoledPolygon3& a) {
-  std::vector<Chain3> chains{a.outer.vertices};
-  for (const Polygon3& hole : a.holes) chains.emplace_back(hole.vertices);
-  return chains;
-}
-
 template <class Polygon, class Round>
 Relation relate_round_polygon(const Polygon& a, const Round& b, Question question) {
   require_figures(question, a, b);
   if (b.radius == 0) return relate_convex(name_of(question), view_of(a), core_set(b));
-  if constexpr (std::is_same_v<Polygon, Quadrilateral3>) {
-    const std::array corners{a.a, a.b, a.c, a.d};
-    return relate_edges(std::array<Chain3, 1>{corners}, b, name_of(question), spoken(view_of(a)));
-  } else {
-    return relate_edges(chains_of(a), b, name_of(question), spoken(view_of(a)));
-  }
+  return relate_edges(edges_of(a), b, name_of(question), spoken(view_of(a)));
 }
 
 }  // namespace

@@ -99,10 +99,11 @@ void hits(const AnyRay& ray, const BoxBatch& many, std::span<std::uint8_t> out) 
   }
 }
 
-std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule) {
-  std::vector<std::uint32_t> all;
-  visit_hits("all_hits", ray, many, rule, [&](std::uint32_t i, double, double) { all.push_back(i); });
-  return all;
+std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule,
+                                    std::vector<std::uint32_t> rows) {
+  rows.clear();
+  visit_hits("all_hits", ray, many, rule, [&](std::uint32_t i, double, double) { rows.push_back(i); });
+  return rows;
 }
 
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& many, HitRule rule) {
@@ -123,6 +124,14 @@ std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& man
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule) {
   require_mesh("first_hit", mesh);
   return first_hit(ray, triangle_batch(mesh), rule);
+}
+
+bool hits(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule) {
+  require_mesh("hits", mesh);
+  return std::ranges::any_of(mesh.triangles, [&](const auto& corners) {
+    const auto& [a, b, c] = corners;
+    return hits(ray, Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, rule);
+  });
 }
 
 }  // namespace plumb

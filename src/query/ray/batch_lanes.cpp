@@ -37,7 +37,7 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::query {
 namespace {
 
-HWY_EXPORT(ask);
+PLUMB_EXPORT(ask);
 
 }  // namespace
 

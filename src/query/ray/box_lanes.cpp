@@ -56,7 +56,7 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::query {
 namespace {
 
-HWY_EXPORT(ask);
+PLUMB_EXPORT(ask);
 
 }  // namespace
 

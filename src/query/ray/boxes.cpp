@@ -7,6 +7,7 @@
 
 #include "plumb/predicates.hpp"
 #include "plumb/predicates/determinant.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/box_feature.hpp"
 #include "query/ray/facets.hpp"
 
@@ -203,5 +204,11 @@ std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Rectang
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Tetrahedron3& t) {
   return query::of<RayParameter>(ray, t);
 }
+
+bool hits(const AnyRay& ray, const Obb3& box) { return query::of<query::Decided>(ray, box).has_value(); }
+bool hits(const AnyRay& ray, const Rectangle3& rectangle) {
+  return query::of<query::Decided>(ray, rectangle).has_value();
+}
+bool hits(const AnyRay& ray, const Tetrahedron3& t) { return query::of<query::Decided>(ray, t).has_value(); }
 
 }  // namespace plumb

@@ -2,6 +2,7 @@
 #include <span>
 
 #include "plumb/predicates.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/box_feature.hpp"
 #include "query/ray/numbers.hpp"
 
@@ -203,5 +204,14 @@ std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Aabb3& 
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const KDop3& k_dop) {
   return query::of<RayParameter>(ray, k_dop);
 }
+
+bool hits(const AnyRay& ray, const Plane3& plane) { return query::of<query::Decided>(ray, plane).has_value(); }
+bool hits(const AnyRay& ray, const ThreePointPlane3& plane) {
+  return query::of<query::Decided>(ray, plane).has_value();
+}
+bool hits(const AnyRay& ray, const Halfspace3& halfspace) {
+  return query::of<query::Decided>(ray, halfspace).has_value();
+}
+bool hits(const AnyRay& ray, const KDop3& k_dop) { return query::of<query::Decided>(ray, k_dop).has_value(); }
 
 }  // namespace plumb

@@ -1,5 +1,6 @@
 // Convex polyhedra, as the intersection of the halfspaces below their faces.
 #include "figure/basic/mesh_input.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/facets.hpp"
 
 namespace plumb {
@@ -91,6 +92,10 @@ std::optional<Hit> first_hit(const AnyRay& ray, const ConvexPolyhedron3& polyhed
 }
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const ConvexPolyhedron3& polyhedron) {
   return query::of<RayParameter>(ray, polyhedron);
+}
+
+bool hits(const AnyRay& ray, const ConvexPolyhedron3& polyhedron) {
+  return query::of<query::Decided>(ray, polyhedron).has_value();
 }
 
 }  // namespace plumb

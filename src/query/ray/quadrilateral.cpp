@@ -6,6 +6,7 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/predicates.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/facets.hpp"
 
 namespace plumb {
@@ -134,5 +135,7 @@ std::optional<Hit> first_hit(const AnyRay& ray, const Quadrilateral3& q) { retur
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Quadrilateral3& q) {
   return query::of<RayParameter>(ray, q);
 }
+
+bool hits(const AnyRay& ray, const Quadrilateral3& q) { return query::of<query::Decided>(ray, q).has_value(); }
 
 }  // namespace plumb

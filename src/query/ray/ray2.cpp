@@ -1,12 +1,14 @@
 // A shape of the plane with straight edges is hit where one of them is first, or where the ray begins inside.
 #include "plumb/query/ray/ray2.hpp"
 
+#include <algorithm>
 #include <tuple>
 #include <vector>
 
 #include "certify/certainly.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/lifted.hpp"
 
 namespace plumb {
@@ -140,6 +142,10 @@ Feature feature_of(const Edge2& e, const Feature& f) {
   return {f.kind, f.index == 0 ? e.at_a : e.at_b};
 }
 
+std::optional<Decided> decided(const AnyRay& ray, const EdgeModel& model) {
+  return certainly<RaySigns>([&]<class T>(RaySigns& signs) { return decide_edge<T>(ray, model, signs); });
+}
+
 /// Which edges are hit first, and where.
 class FirstEdge {
  public:
@@ -147,7 +153,7 @@ class FirstEdge {
 
   void ask(const Edge2& e) {
     const EdgeModel model{e};
-    const auto edge = certainly<RaySigns>([&]<class T>(RaySigns& signs) { return decide_edge<T>(ray_, model, signs); });
+    const auto edge = decided(ray_, model);
     if (!edge) return;
     const Hit at = numbers_of(ray_, model, *edge);
     const Hit2 hit{at.t, {at.point.x, at.point.y}, feature_of(e, at.feature), {at.normal.x, at.normal.y}};
@@ -212,11 +218,18 @@ std::optional<RayParameter> parameter_straight(const AnyRay2& ray, const Shape& 
   if (begins_inside(ray, s)) return RayParameter{Rational(0.0)};
   return first_edge(ray, s).parameter();
 }
+template <class Shape>
+bool hits_straight(const AnyRay2& ray, const Shape& s) {
+  require_ray2("hits", ray, s);
+  const AnyRay lifted = in_space(ray);
+  return begins_inside(ray, s) ||
+         std::ranges::any_of(edges_of(s), [&](const Edge2& e) { return decided(lifted, EdgeModel{e}).has_value(); });
+}
 
 }  // namespace
 }  // namespace query
 
-using query::hit_straight, query::parameter_straight;
+using query::hit_straight, query::parameter_straight, query::hits_straight;
 
 std::optional<Hit2> first_hit(const AnyRay2& r, const Segment2& s) { return hit_straight(r, s); }
 std::optional<Hit2> first_hit(const AnyRay2& r, const Triangle2& s) { return hit_straight(r, s); }
@@ -232,5 +245,12 @@ Parameter first_hit_parameter(const AnyRay2& r, const Aabb2& s) { return paramet
 Parameter first_hit_parameter(const AnyRay2& r, const Quadrilateral2& s) { return parameter_straight(r, s); }
 Parameter first_hit_parameter(const AnyRay2& r, const Polygon2& s) { return parameter_straight(r, s); }
 Parameter first_hit_parameter(const AnyRay2& r, const HoledPolygon2& s) { return parameter_straight(r, s); }
+
+bool hits(const AnyRay2& r, const Segment2& s) { return hits_straight(r, s); }
+bool hits(const AnyRay2& r, const Triangle2& s) { return hits_straight(r, s); }
+bool hits(const AnyRay2& r, const Aabb2& s) { return hits_straight(r, s); }
+bool hits(const AnyRay2& r, const Quadrilateral2& s) { return hits_straight(r, s); }
+bool hits(const AnyRay2& r, const Polygon2& s) { return hits_straight(r, s); }
+bool hits(const AnyRay2& r, const HoledPolygon2& s) { return hits_straight(r, s); }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 
 #include "certify/certainly.hpp"
 #include "plumb/figure/containment/contains.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/lifted.hpp"
 
 namespace plumb {
@@ -44,6 +45,11 @@ std::optional<RayParameter> parameter_round(const AnyRay2& ray, const Shape& s) 
 /// As a rectangle of the plane z = 0.
 Rectangle3 in_space(const Obb2& b) {
   return {plumb::in_space(b.center), {plumb::in_space(b.axes[0]), plumb::in_space(b.axes[1])}, b.half};
+}
+template <class Shape>
+bool hits_lifted(const AnyRay2& ray, const Shape& s) {
+  require_ray2("hits", ray, s);
+  return hits(in_space(ray), in_space(s));
 }
 
 /// Rounded once: doubling is exact, before or after.
@@ -90,7 +96,7 @@ std::optional<RayParameter> parameter_oriented(const AnyRay2& ray, const Obb2& b
 }  // namespace
 }  // namespace query
 
-using query::hit_round, query::parameter_round;
+using query::hit_round, query::parameter_round, query::hits_lifted;
 
 std::optional<Hit2> first_hit(const AnyRay2& r, const Circle2& s) { return hit_round(r, s); }
 std::optional<Hit2> first_hit(const AnyRay2& r, const Capsule2& s) { return hit_round(r, s); }
@@ -102,5 +108,10 @@ Parameter first_hit_parameter(const AnyRay2& r, const Circle2& s) { return param
 Parameter first_hit_parameter(const AnyRay2& r, const Capsule2& s) { return parameter_round(r, s); }
 Parameter first_hit_parameter(const AnyRay2& r, const Obb2& s) { return query::parameter_oriented(r, s); }
 Parameter first_hit_parameter(const AnyRay2& r, const KDop2& s) { return query::parameter_round(r, s); }
+
+bool hits(const AnyRay2& r, const Circle2& s) { return hits_lifted(r, s); }
+bool hits(const AnyRay2& r, const Capsule2& s) { return hits_lifted(r, s); }
+bool hits(const AnyRay2& r, const Obb2& s) { return hits_lifted(r, s); }
+bool hits(const AnyRay2& r, const KDop2& s) { return hits_lifted(r, s); }
 
 }  // namespace plumb

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "certify/certainly.hpp"
+#include "plumb/query/ray/hits.hpp"
 #include "query/ray/round_parts.hpp"
 #include "query/ray/seen_line.hpp"
 
@@ -181,5 +182,8 @@ std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Capsule
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Cylinder3& cylinder) {
   return query::of<RayParameter>(ray, cylinder);
 }
+
+bool hits(const AnyRay& ray, const Capsule3& capsule) { return query::of<query::Decided>(ray, capsule).has_value(); }
+bool hits(const AnyRay& ray, const Cylinder3& cylinder) { return query::of<query::Decided>(ray, cylinder).has_value(); }
 
 }  // namespace plumb

@@ -1,5 +1,5 @@
 // Figures of the plane meet as those of space in z = 0, which rounds nothing: a convex one as a whole, a polygon edge
-// by edge, for what does not overlap it at the start meets its boundary first.
+// by edge, for what does not overlap it at the start meets its boundary first, or is a vertex inside that bounds nothing.
 #include "plumb/query/time_of_impact/flat_contact.hpp"
 
 #include <cmath>
@@ -8,20 +8,21 @@
 
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/in_space.hpp"
+#include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/time_of_impact/translating_contact.hpp"
+#include "query/body/chain_edges.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/time_of_impact/flat_features.hpp"
+#include "query/time_of_impact/body_meeting.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
 
-/// A figure of space in z = 0, and what its features are called in the plane.
+/// A figure of space in z = 0.
 template <class Shape>
 struct FlatPiece {
   Shape shape;
-  std::uint32_t first = 0, second = 1, edge = 0;  // of a polygon's edge
 };
 
 /// Upper ends are those of the magnitudes.
@@ -35,28 +36,13 @@ auto lifted(const Shape& s) {
   return in_space(s);
 }
 
-void add_chain_pieces(std::vector<FlatPiece<Segment3>>& pieces, const Polygon2& polygon) {
-  const auto start = static_cast<std::uint32_t>(pieces.size()), n = static_cast<std::uint32_t>(polygon.vertices.size());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = i + 1 < n ? i + 1 : 0;
-    pieces.push_back({{in_space(polygon.vertices[i]), in_space(polygon.vertices[j])}, start + i, start + j, start + i});
-  }
-}
-
 template <class Shape>
 inline constexpr bool is_chain = std::is_same_v<Shape, Polygon2> || std::is_same_v<Shape, HoledPolygon2>;
 
 template <class Shape>
 auto pieces_of(const Shape& s) {
   if constexpr (is_chain<Shape>) {
-    std::vector<FlatPiece<Segment3>> pieces;
-    if constexpr (requires { s.outer; }) {
-      add_chain_pieces(pieces, s.outer);
-      for (const Polygon2& hole : s.holes) add_chain_pieces(pieces, hole);
-    } else {
-      add_chain_pieces(pieces, s);
-    }
-    return pieces;
+    return chain_edges(s);
   } else {
     return std::array{FlatPiece<decltype(lifted(s))>{lifted(s)}};
   }
@@ -67,8 +53,7 @@ template <class Shape, class Piece>
 Feature feature_in_plane(const Piece& piece, const Feature& f) {
   if (f.kind == FeatureKind::interior) return f;
   if constexpr (is_chain<Shape>) {
-    if (f.kind == FeatureKind::edge) return {f.kind, piece.edge};
-    return {f.kind, f.index == 0 ? piece.first : piece.second};
+    return piece.feature(f);
   } else if constexpr (std::is_same_v<Shape, Circle2>) {
     return {FeatureKind::edge, 0};
   } else if constexpr (std::is_same_v<Shape, Aabb2> || std::is_same_v<Shape, Obb2>) {
@@ -84,15 +69,25 @@ auto contact_rank(const Contact& c) {
   return std::tuple(dimensions, c.feature_a.kind, c.feature_a.index, c.feature_b.index);
 }
 
-/// The lowest features that meet of two pieces that overlap at the start, while the polygon only touches.
-template <class P, class Q, class Named>
-Contact lowest_at_start(const P& p, const Q& q, const Named& named) {
-  std::optional<Contact> lowest;
-  for (const auto& [a, b] : meeting_features(p, q)) {
-    const Contact c = named(Contact{0, a, b});
-    if (!lowest || contact_rank(c) < contact_rank(*lowest)) lowest = c;
+/// Pieces that overlap meet by their features as well, where the polygon only touches.
+Relation never_overlapping(const BodyShape&, const BodyShape&) { return Relation::touching; }
+
+/// The lowest features that meet of two pieces that overlap at the start.
+template <class P, class Q>
+Contact lowest_at_start(const P& p, const Q& q) {
+  constexpr Vector3 at_rest{0, 0, 0};
+  const auto m = first_meeting("first_contact", {&p, &at_rest}, {&q, &at_rest}, never_overlapping);
+  return {0, m->of_a, m->of_b};
+}
+
+/// Calls see(vertex) for those of a's that are inside of b.
+template <class A, class B, class See>
+void see_vertices_inside(const A& a, const B& b, See see) {
+  if constexpr (is_chain<A> && is_chain<B>) {
+    for (const ChainEdge& e : chain_edges(a)) {
+      if (locate(b, Point2{e.shape.a.x, e.shape.a.y}) == Location::inside) see(Feature{FeatureKind::vertex, e.from});
+    }
   }
-  return *lowest;
 }
 
 template <class A, class B>
@@ -125,24 +120,44 @@ bool any_pieces(const Translating<A>& a, const Translating<B>& b, const F& f) {
   return false;
 }
 
+/// Of what touches at the start: by the pieces that meet then, else by vertices inside.
+template <class A, class B, class Named>
+std::optional<Contact> lowest_touching(const Translating<A>& a, const Translating<B>& b, const Named& named) {
+  std::optional<Contact> lowest;
+  const auto see = [&lowest](const Contact& c) {
+    if (!lowest || contact_rank(c) < contact_rank(*lowest)) lowest = c;
+  };
+  any_pieces(a, b, [&](const auto& p, const auto& q, const auto& moving, const auto& other) {
+    if (relate(p.shape, q.shape) != Relation::disjoint) see(named(p, q, *first_contact(moving, other)));
+    return false;
+  });
+  const Feature face{FeatureKind::face, 0};
+  see_vertices_inside(a.shape, b.shape, [&](const Feature& vertex) { see({0, vertex, face}); });
+  see_vertices_inside(b.shape, a.shape, [&](const Feature& vertex) { see({0, face, vertex}); });
+  return lowest;
+}
+
 }  // namespace
 }  // namespace query
 
 template <MovesInPlane A, MovesInPlane B>
 std::optional<Contact> first_contact(const Translating<A>& a, const Translating<B>& b) {
   query::require_moving("first_contact", a, b);
-  if (query::at_start(a.shape, b.shape) == Relation::overlapping)
-    return Contact{0, {FeatureKind::interior, 0}, {FeatureKind::interior, 0}};
+  const Relation start = query::at_start(a.shape, b.shape);
+  if (start == Relation::overlapping) return Contact{0, {FeatureKind::interior, 0}, {FeatureKind::interior, 0}};
   const auto named = [](const auto& p, const auto& q, const Contact& c) {
     const auto in_plane = [&](const Contact& x) {
       return Contact{x.time, query::feature_in_plane<A>(p, x.feature_a), query::feature_in_plane<B>(q, x.feature_b)};
     };
     if constexpr (query::is_chain<A> || query::is_chain<B>) {
-      if (c.feature_a.kind == FeatureKind::interior) return query::lowest_at_start(p.shape, q.shape, in_plane);
+      if (c.feature_a.kind == FeatureKind::interior) return in_plane(query::lowest_at_start(p.shape, q.shape));
     }
     return in_plane(c);
   };
   std::optional<Contact> first;
+  if constexpr (query::is_chain<A> || query::is_chain<B>) {
+    if (start == Relation::touching) return query::lowest_touching(a, b, named);
+  }
   std::size_t equal = 0;  // when rounded down
   query::any_pieces(a, b, [&](const auto& p, const auto& q, const auto& moving, const auto& other) {
     const auto contact = first_contact(moving, other);

@@ -1,6 +1,7 @@
 // The earliest of what meets the edges and of the body's vertices, each a ball of its reach, where they first touch the
 // plane inside of the polygon.  What comes to the inside with more than a vertex reaches over an edge or has a vertex
-// there; what is on both sides of the plane from the start meets edges first.
+// there; what is on both sides of the plane from the start meets edges first.  At the start an edge that bounds no inside
+// may be across the other figure, where no vertex is and no two edges meet: relate tells that, and then which it is.
 #include "query/time_of_impact/polygon_contact.hpp"
 
 #include <tuple>
@@ -9,6 +10,7 @@
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/overlap/posed.hpp"
+#include "query/body/chain_edges.hpp"
 #include "query/body/figure_view.hpp"
 #include "query/convex/chains.hpp"
 #include "query/convex/exact_map.hpp"
@@ -66,21 +68,11 @@ class EarliestMeeting {
     }
     best_ = std::move(m);
   }
+  [[nodiscard]] bool is_at_start() const { return best_ && best_->time == Rational(0); }
   [[nodiscard]] std::optional<FirstMeeting> best() && { return std::move(best_); }
 
  private:
   std::optional<FirstMeeting> best_;
-};
-
-/// One end of an edge, by the number that the polygon has for it.
-struct ChainEdge {
-  Segment3 edge;
-  std::uint32_t from, to;
-
-  [[nodiscard]] Feature feature(const Feature& of_edge) const {
-    if (of_edge.kind != FeatureKind::vertex) return {FeatureKind::edge, from};
-    return {FeatureKind::vertex, of_edge.index == 0 ? from : to};
-  }
 };
 
 /// A polygon under its pose, which moves.
@@ -88,15 +80,8 @@ struct MovingPolygon {
   MovingPolygon(std::string_view function, const PosedMotion& m) : pose(m.figure.in_space), by(m.by) {
     static_cast<void>(exact_chains(function, m.figure.figure));  // throws where it is not planar
     chains = chains_of(m.figure.figure);
-    with_figure(m.figure.figure, [this](const auto& s) {
-      if constexpr (requires { s.outer; }) {
-        add_edges(s.outer.vertices);
-        for (const auto& hole : s.holes) add_edges(hole.vertices);
-      } else if constexpr (requires { s.vertices[0].z; }) {
-        add_edges(s.vertices);
-      } else if constexpr (requires { s.a.z, s.b, s.c, s.d; }) {
-        add_edges(std::array{s.a, s.b, s.c, s.d});
-      }
+    with_figure(m.figure.figure, [this]<class Shape>(const Shape& s) {
+      if constexpr (is_one_of(figure_kind<Shape>, polygon_kinds)) edges = chain_edges(s);
     });
     add_hull();
     if (pose == nullptr) return;
@@ -104,7 +89,13 @@ struct MovingPolygon {
     for (Exact3& v : chains.vertices) v = image(map, v);
     chains.span = spanning(chains.vertices);
   }
-  [[nodiscard]] PosedMotion motion_of(const ChainEdge& e) const { return {{view_of(e.edge), pose}, by}; }
+  [[nodiscard]] PosedMotion motion_of(const ChainEdge& e) const { return {{view_of(e.shape), pose}, by}; }
+  [[nodiscard]] bool has_inside() const { return chains.span.size() == 3; }
+  /// Of its plane, where it has one.
+  [[nodiscard]] Exact3 normal() const {
+    const Exact3& from = chains.vertices[chains.span[0]];
+    return cross(chains.vertices[chains.span[1]] - from, chains.vertices[chains.span[2]] - from);
+  }
 
   const Pose* pose;
   const Vector3* by;
@@ -118,31 +109,22 @@ struct MovingPolygon {
       const PosedMotion edge = motion_of(e);
       hull.vertices.push_back(moving_body<Running>(&edge.figure).vertices[0]);
     }
-    if (chains.span.size() < 3 || hull.vertices.size() != chains.vertices.size()) return;
+    if (chains.span.size() < 3) return;
     const auto& v = hull.vertices;
     const Vec3<Running>& from = v[chains.span[0]];
     const Vec3<Running> normal = cross(v[chains.span[1]] - from, v[chains.span[2]] - from);
     hull.faces.push_back({{}, normal, dot(normal, from), {FeatureKind::face, 0}});
   }
-  template <class Points>
-  void add_edges(const Points& points) {
-    if constexpr (std::is_same_v<typename Points::value_type, Point3>) {
-      const auto first = static_cast<std::uint32_t>(edges.size()), n = static_cast<std::uint32_t>(points.size());
-      for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t j = i + 1 == n ? 0 : i + 1;
-        edges.push_back({{points[i], points[j]}, first + i, first + j});
-      }
-    }
-  }
 };
 
 Exact3 exactly(const Vector3& v) { return {v.x, v.y, v.z}; }
+Exact3 exactly(const Vec3<BigDyadic>& v) { return {gmp_number(v.x), gmp_number(v.y), gmp_number(v.z)}; }
 
 /// Where the ball about a vertex first touches the plane, if that is inside.
 void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& feature, const mpq_class& reach,
-              const Exact3& by, const SpannedChains& chains) {
-  const Exact3& from = chains.vertices[chains.span[0]];
-  const Exact3 normal = cross(chains.vertices[chains.span[1]] - from, chains.vertices[chains.span[2]] - from);
+              const Exact3& by, const MovingPolygon& polygon) {
+  const SpannedChains& chains = polygon.chains;
+  const Exact3 &from = chains.vertices[chains.span[0]], normal = polygon.normal();
   const mpq_class square = dot(normal, normal), height = dot(normal, center - from), rise = dot(normal, by);
   const mpq_class rest = height * height - reach * reach * square;
   if (sgn(rest) < 0) return;  // across the plane from the start: it meets edges first
@@ -200,59 +182,158 @@ Relation start_relation(std::string_view function, const PosedView& a, const Pos
 }
 
 /// Of a polygon that does not overlap the body at the start.
-std::optional<FirstMeeting> body_with_polygon(std::string_view function, const PosedMotion& body,
-                                              const MovingPolygon& polygon) {
-  if (window_of(moving_body<Running>(&body.figure), *body.by, polygon).empty()) return {};
-  EarliestMeeting earliest;
+void see_body(EarliestMeeting& earliest, std::string_view function, const PosedMotion& body,
+              const MovingPolygon& polygon) {
+  if (window_of(moving_body<Running>(&body.figure), *body.by, polygon).empty()) return;
   for (const ChainEdge& e : polygon.edges) {
     const PosedMotion edge = polygon.motion_of(e);
     auto m = first_meeting(function, {&body.figure, body.by}, {&edge.figure, edge.by}, never_inside);
     if (m) earliest.see({std::move(m->time), m->of_a, e.feature(m->of_b)});
   }
-  if (polygon.chains.span.size() == 3) {
+  if (polygon.has_inside()) {
     const auto exact = moving_body<BigDyadic>(&body.figure);
     const Exact3 by = exactly(*body.by) - exactly(*polygon.by);
-    for (std::size_t i = 0; i < exact.vertices.size(); ++i) {
-      const auto& [x, y, z] = exact.vertices[i];
-      see_face(earliest, {gmp_number(x), gmp_number(y), gmp_number(z)}, exact.vertex_features[i],
-               gmp_number(exact.reach), by, polygon.chains);
-    }
+    for (std::size_t i = 0; i < exact.vertices.size(); ++i)
+      see_face(earliest, exactly(exact.vertices[i]), exact.vertex_features[i], gmp_number(exact.reach), by, polygon);
   }
-  return std::move(earliest).best();
 }
 
-std::optional<FirstMeeting> swapped(std::optional<FirstMeeting> m) {
-  if (m) std::swap(m->of_a, m->of_b);
-  return m;
+/// Where an edge goes from one side of a plane to the other.
+std::optional<Exact3> crossing(const ChainEdge& edge, const SpannedChains& of, const Exact3& normal,
+                               const mpq_class& offset) {
+  const Exact3 &from = of.vertices[edge.from], &to = of.vertices[edge.to];
+  const mpq_class above = dot(normal, from) - offset, below = dot(normal, to) - offset;
+  if (sgn(above) * sgn(below) >= 0) return {};
+  return from + mpq_class(above / (above - below)) * (to - from);
+}
+
+/// Is a point of a face's plane in the face?
+bool face_holds(const MovingBody<BigDyadic>& body, const MovingBody<BigDyadic>::Face& face, const Exact3& p) {
+  const Exact3 normal = exactly(face.normal);
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    const Exact3 from = exactly(body.vertices[face.corners[i]]),
+                 to = exactly(body.vertices[face.corners[(i + 1) % face.corners.size()]]);
+    if (sgn(dot(cross(normal, to - from), p - from)) < 0) return false;
+  }
+  return true;
+}
+
+/// What meets at the start where neither vertices nor two edges do.  An edge beside which the polygon has its inside
+/// overlaps what it goes through; one that bounds no inside goes through a face, or stays inside.
+void see_pierced(EarliestMeeting& earliest, std::string_view function, const PosedMotion& of_body,
+                 const MovingPolygon& polygon) {
+  const auto body = moving_body<BigDyadic>(&of_body.figure);
+  for (const auto& face : body.faces) {
+    const Exact3 normal = exactly(face.normal);
+    for (const ChainEdge& e : polygon.edges) {
+      const auto at = crossing(e, polygon.chains, normal, gmp_number(face.offset));
+      if (at && face_holds(body, face, *at)) earliest.see({Root(0), face.feature, e.whole});
+    }
+  }
+  for (const ChainEdge& e : polygon.edges) {
+    const PosedView corner{view_of(e.shape.a), polygon.pose};
+    if (relate_posed(function, of_body.figure, corner) == Relation::overlapping)
+      earliest.see({Root(0), {FeatureKind::interior, 0}, {FeatureKind::vertex, e.from}});
+  }
+}
+/// Calls see(edge) for each that goes through the other's inside.
+template <class See>
+void see_pierced(const MovingPolygon& edges, const MovingPolygon& inside, See see) {
+  if (!inside.has_inside()) return;
+  const Exact3 normal = inside.normal();
+  const mpq_class offset = dot(normal, inside.chains.vertices[0]);
+  for (const ChainEdge& e : edges.edges) {
+    const auto at = crossing(e, edges.chains, normal, offset);
+    if (at && holds_inside(inside.chains, *at)) see(e);
+  }
+}
+
+/// Two in motion, the second a polygon.
+class PolygonPair {
+ public:
+  PolygonPair(std::string_view function, const PosedMotion& a, const PosedMotion& b)
+      : function_(function), a_(a), second_(function, b) {
+    if (is_polygon(a.figure.figure)) {
+      first_.emplace(function, a);
+    } else if (!check_body(function, "the body", &a.figure)) {
+      return;
+    }
+    const TimeWindow window = window_of(first_ ? first_->hull : moving_body<Running>(&a.figure), *a.by, second_);
+    may_meet_ = !window.empty();
+    if (may_meet_ && !(window.from > 0)) start_ = start_relation(function, a.figure, b.figure);
+  }
+
+  [[nodiscard]] std::optional<Root> time() const {
+    if (start_ != Relation::disjoint) return Root(0);
+    auto m = by_features().best();
+    return m ? std::optional(std::move(m->time)) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<FirstMeeting> first() const {
+    const Feature inside{FeatureKind::interior, 0};
+    if (start_ == Relation::overlapping) return FirstMeeting{Root(0), inside, inside};
+    EarliestMeeting earliest = by_features();
+    if (start_ == Relation::touching && !earliest.is_at_start()) {
+      const Feature face{FeatureKind::face, 0};
+      if (!first_) {
+        see_pierced(earliest, function_, a_, second_);
+      } else {
+        see_pierced(*first_, second_, [&](const ChainEdge& e) { earliest.see({Root(0), e.whole, face}); });
+        see_pierced(second_, *first_, [&](const ChainEdge& e) { earliest.see({Root(0), face, e.whole}); });
+      }
+    }
+    return std::move(earliest).best();
+  }
+
+ private:
+  /// By vertices, edges, and vertices in a face.
+  [[nodiscard]] EarliestMeeting by_features() const {
+    EarliestMeeting earliest;
+    if (!may_meet_) return earliest;
+    if (!first_) {
+      see_body(earliest, function_, a_, second_);
+      return earliest;
+    }
+    for (const ChainEdge& e : first_->edges) {
+      EarliestMeeting of_edge;
+      see_body(of_edge, function_, first_->motion_of(e), second_);
+      if (auto m = std::move(of_edge).best()) earliest.see({std::move(m->time), e.feature(m->of_a), m->of_b});
+    }
+    for (const ChainEdge& e : second_.edges) {
+      EarliestMeeting of_edge;
+      see_body(of_edge, function_, second_.motion_of(e), *first_);
+      if (auto m = std::move(of_edge).best()) earliest.see({std::move(m->time), m->of_b, e.feature(m->of_a)});
+    }
+    return earliest;
+  }
+
+  std::string_view function_;
+  const PosedMotion& a_;
+  MovingPolygon second_;
+  std::optional<MovingPolygon> first_;  // of two polygons
+  bool may_meet_ = false;
+  Relation start_ = Relation::disjoint;
+};
+
+/// Calls f with the pair, or with that of the figures the other way round.
+template <class F>
+auto with_pair(std::string_view function, const PosedMotion& a, const PosedMotion& b, F f) {
+  require_finite_parts(function, {"a.by", "b.by"}, *a.by, *b.by);
+  const bool turned = !is_polygon(b.figure.figure);
+  return f(turned ? PolygonPair(function, b, a) : PolygonPair(function, a, b), turned);
 }
 
 }  // namespace
 
+std::optional<Root> polygon_meeting_time(std::string_view function, const PosedMotion& a, const PosedMotion& b) {
+  return with_pair(function, a, b, [](const PolygonPair& pair, bool) { return pair.time(); });
+}
+
 std::optional<FirstMeeting> polygon_meeting(std::string_view function, const PosedMotion& a, const PosedMotion& b) {
-  require_finite_parts(function, {"a.by", "b.by"}, *a.by, *b.by);
-  if (!is_polygon(b.figure.figure)) return swapped(polygon_meeting(function, b, a));
-  const MovingPolygon second(function, b);
-  const bool both = is_polygon(a.figure.figure);
-  std::optional<MovingPolygon> first;
-  if (both) first.emplace(function, a);
-  if (!both && !check_body(function, "the body", &a.figure)) return {};
-  const TimeWindow window = window_of(both ? first->hull : moving_body<Running>(&a.figure), *a.by, second);
-  if (window.empty()) return {};
-  if (!(window.from > 0) && start_relation(function, a.figure, b.figure) == Relation::overlapping) {
-    const Feature inside{FeatureKind::interior, 0};
-    return FirstMeeting{Root(0), inside, inside};
-  }
-  if (!both) return body_with_polygon(function, a, second);
-  EarliestMeeting earliest;
-  for (const ChainEdge& e : first->edges) {
-    auto m = body_with_polygon(function, first->motion_of(e), second);
-    if (m) earliest.see({std::move(m->time), e.feature(m->of_a), m->of_b});
-  }
-  for (const ChainEdge& e : second.edges) {
-    auto m = body_with_polygon(function, second.motion_of(e), *first);
-    if (m) earliest.see({std::move(m->time), m->of_b, e.feature(m->of_a)});
-  }
-  return std::move(earliest).best();
+  return with_pair(function, a, b, [](const PolygonPair& pair, bool turned) {
+    auto m = pair.first();
+    if (m && turned) std::swap(m->of_a, m->of_b);
+    return m;
+  });
 }
 
 }  // namespace plumb::query

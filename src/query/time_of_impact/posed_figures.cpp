@@ -78,8 +78,7 @@ std::optional<Root> posed_contact_time(const PosedMotion& a, const PosedMotion& 
   }
   const PosedBodies bodies("first_contact_time", a, b);
   if (!bodies.some_polygon) return body_contact_time("first_contact_time", bodies.a, bodies.b, posed_figures_at_start);
-  const auto m = polygon_meeting("first_contact_time", a, b);
-  return m ? std::optional(m->time) : std::nullopt;
+  return polygon_meeting_time("first_contact_time", a, b);
 }
 bool posed_bodies_meet(const PosedMotion& a, const PosedMotion& b) {
   if (is_in_plane(a)) {
@@ -88,7 +87,7 @@ bool posed_bodies_meet(const PosedMotion& a, const PosedMotion& b) {
   }
   const PosedBodies bodies("intersects", a, b);
   if (!bodies.some_polygon) return bodies_meet("intersects", bodies.a, bodies.b, posed_figures_at_start);
-  return polygon_meeting("intersects", a, b).has_value();
+  return polygon_meeting_time("intersects", a, b).has_value();
 }
 
 }  // namespace plumb::query

@@ -57,7 +57,7 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::space {
 namespace {
 
-HWY_EXPORT(sweep_entries);
+PLUMB_EXPORT(sweep_entries);
 
 }  // namespace
 

@@ -187,7 +187,7 @@ const BoxPairChanges& MovingBoxes::changes() {
   return s.changes;
 }
 
-std::vector<HandlePair> MovingBoxes::pairs() const {
+std::vector<HandlePair> MovingBoxes::pairs(std::vector<HandlePair> rows) const {
   const State& s = *state_;
   std::vector<std::uint32_t> slots;
   std::vector<Aabb3> then;
@@ -197,21 +197,22 @@ std::vector<HandlePair> MovingBoxes::pairs() const {
   }
   std::vector<BoxPair> all = overlapping_pairs(then, BroadPhaseOptions{s.options.touching, Execution::serial}), other;
   space::sort_pairs(all, other);  // as those of slots, which ascend
-  std::vector<HandlePair> pairs;
-  pairs.reserve(all.size());
-  for (const BoxPair& p : all) pairs.push_back({s.handle(slots[p.a]), s.handle(slots[p.b])});
-  return pairs;
+  rows.clear();
+  rows.reserve(all.size());
+  for (const BoxPair& p : all) rows.push_back({s.handle(slots[p.a]), s.handle(slots[p.b])});
+  return rows;
 }
 
-std::vector<BoxHandle> MovingBoxes::in_box(const Aabb3& box, const InBoxOptions& options) const {
+std::vector<BoxHandle> MovingBoxes::in_box(const Aabb3& box, const InBoxOptions& options,
+                                           std::vector<BoxHandle> rows) const {
   const State& s = *state_;
   figure::require_finite_parts<Point3, Point3>("MovingBoxes::in_box", {"box.min", "box.max"}, box.min, box.max);
-  if (is_empty(box)) return {};
-  std::vector<BoxHandle> handles;
+  rows.clear();
+  if (is_empty(box)) return rows;
   for (const std::uint32_t slot : s.asked.in_box({s.boxes, s.alive}, box, options.touching)) {
-    handles.push_back(s.handle(slot));
+    rows.push_back(s.handle(slot));
   }
-  return handles;
+  return rows;
 }
 
 std::optional<HandleHit> MovingBoxes::first_hit(const AnyRay& ray) const {

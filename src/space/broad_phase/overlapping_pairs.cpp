@@ -101,8 +101,8 @@ void tell_sink(std::span<const Box> a, std::span<const Box> b, bool is_two, cons
 
 template <class Box>
 std::vector<BoxPair> collect(std::span<const Box> a, std::span<const Box> b, bool is_two,
-                             const BroadPhaseOptions& options) {
-  std::vector<BoxPair> pairs;
+                             const BroadPhaseOptions& options, std::vector<BoxPair> pairs) {
+  pairs.clear();
   // Grows to as many as there will be, if the rest of the work finds as many as that which is done.
   const PairTaker to{&pairs, [](void* context, std::span<const BoxPair> block, double done) {
                        auto& kept = *static_cast<std::vector<BoxPair>*>(context);
@@ -130,12 +130,13 @@ std::string_view name_of(BroadPhaseMethod method) {
   return number < names.size() ? names[number] : "of no name";
 }
 
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> boxes, const BroadPhaseOptions& options) {
-  return space::collect(boxes, {}, false, options);
+std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> boxes, const BroadPhaseOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return space::collect(boxes, {}, false, options, std::move(rows));
 }
 std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b,
-                                       const BroadPhaseOptions& options) {
-  return space::collect(a, b, true, options);
+                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
+  return space::collect(a, b, true, options, std::move(rows));
 }
 void overlapping_pairs(std::span<const Aabb2> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
   space::tell_sink(boxes, {}, false, to, options);
@@ -145,12 +146,13 @@ void overlapping_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b, const
   space::tell_sink(a, b, true, to, options);
 }
 
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> boxes, const BroadPhaseOptions& options) {
-  return space::collect(boxes, {}, false, options);
+std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> boxes, const BroadPhaseOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return space::collect(boxes, {}, false, options, std::move(rows));
 }
 std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b,
-                                       const BroadPhaseOptions& options) {
-  return space::collect(a, b, true, options);
+                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
+  return space::collect(a, b, true, options, std::move(rows));
 }
 void overlapping_pairs(std::span<const Aabb3> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
   space::tell_sink(boxes, {}, false, to, options);
@@ -160,12 +162,13 @@ void overlapping_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b, const
   space::tell_sink(a, b, true, to, options);
 }
 
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> boxes, const BroadPhaseOptions& options) {
-  return space::collect(boxes, {}, false, options);
+std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> boxes, const BroadPhaseOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return space::collect(boxes, {}, false, options, std::move(rows));
 }
 std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> b,
-                                       const BroadPhaseOptions& options) {
-  return space::collect(a, b, true, options);
+                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
+  return space::collect(a, b, true, options, std::move(rows));
 }
 void overlapping_pairs(std::span<const FloatBox2> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
   space::tell_sink(boxes, {}, false, to, options);
@@ -175,12 +178,13 @@ void overlapping_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> 
   space::tell_sink(a, b, true, to, options);
 }
 
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> boxes, const BroadPhaseOptions& options) {
-  return space::collect(boxes, {}, false, options);
+std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> boxes, const BroadPhaseOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return space::collect(boxes, {}, false, options, std::move(rows));
 }
 std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> a, std::span<const FloatBox3> b,
-                                       const BroadPhaseOptions& options) {
-  return space::collect(a, b, true, options);
+                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
+  return space::collect(a, b, true, options, std::move(rows));
 }
 void overlapping_pairs(std::span<const FloatBox3> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
   space::tell_sink(boxes, {}, false, to, options);

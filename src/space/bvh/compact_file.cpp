@@ -12,7 +12,7 @@ namespace plumb {
 namespace space {
 namespace {
 
-constexpr FileKind compact_kind{"plumbcmp", 1, "compact tree", "write_compact_bvh"};
+constexpr FileKind compact_kind{"plumbcmp", 2, "compact tree", "write_compact_bvh(path, build_compact_bvh(mesh))"};
 
 struct CompactHead {
   FileOpening opening;
@@ -20,7 +20,8 @@ struct CompactHead {
   std::uint32_t corner_width, number_width, unused;
   std::uint64_t nodes, vertices, slots, length;
   FloatBox3 root;
-  std::byte rest[40];
+  std::byte rest[32];
+  std::uint64_t checksum;
 };
 static_assert(sizeof(CompactHead) == 128 && std::is_trivially_copyable_v<CompactHead>);
 
@@ -39,6 +40,7 @@ CompactHead compact_head_of(const std::string& path, std::span<const std::byte> 
     refuse_file(compact_kind, path, BvhFileProblem::broken_law, "has numbers of " + std::to_string(width) + " bytes");
   }
   require_length(compact_kind, path, bytes.size(), head.length, compact_length(head));
+  require_checksum(compact_kind, path, bytes);
   require_exponent(compact_kind, path, head.exponent);
   return head;
 }
@@ -158,10 +160,9 @@ void write_compact_bvh(const std::string& path, const CompactBvh& bvh) {
   head.slots = bvh.slots();
   head.root = bvh.tree.root;
   head.length = space::compact_length(head);
-  const std::array<std::span<const std::byte>, 5> parts{
-      std::as_bytes(std::span(&head, 1)), std::as_bytes(bvh.tree.nodes.view()), std::as_bytes(bvh.vertices.view()),
-      bvh.corners.memory(), bvh.numbers.memory()};
-  space::write_file(path, parts);
+  const std::array arrays{std::as_bytes(bvh.tree.nodes.view()), std::as_bytes(bvh.vertices.view()),
+                          bvh.corners.memory(), bvh.numbers.memory()};
+  space::write_file(path, std::as_writable_bytes(std::span<space::CompactHead, 1>(&head, 1)), arrays);
 }
 
 CompactBvh map_compact_bvh(const std::string& path) {

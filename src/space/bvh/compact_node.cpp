@@ -24,7 +24,7 @@ namespace plumb {
 namespace space {
 namespace {
 
-HWY_EXPORT(widen_compact);
+PLUMB_EXPORT(widen_compact);
 
 }  // namespace
 }  // namespace space

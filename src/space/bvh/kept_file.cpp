@@ -4,8 +4,11 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -33,6 +36,19 @@ struct Mapping {
 
 }  // namespace
 
+// Both sums walk over one piece before the next, so that the second one finds it in the cache.
+void Checksum::add(std::span<const std::byte> bytes) {
+  constexpr std::size_t piece = std::size_t{1} << 16;
+  while (!bytes.empty()) {
+    const auto now = bytes.first(std::min(piece, bytes.size()));
+    const auto* const data = reinterpret_cast<const Bytef*>(now.data());
+    const auto size = static_cast<uInt>(now.size());
+    crc_ = static_cast<std::uint32_t>(crc32(crc_, data, size));
+    adler_ = static_cast<std::uint32_t>(adler32(adler_, data, size));
+    bytes = bytes.subspan(now.size());
+  }
+}
+
 FileOpening opening_of(const FileKind& kind) {
   FileOpening opening{{}, kind.version, file_byte_order};
   std::memcpy(opening.mark, kind.mark.data(), sizeof opening.mark);
@@ -49,7 +65,7 @@ void require_opening(const FileKind& kind, const std::string& path, std::span<co
     fail(BvhFileProblem::not_a_tree,
          "does not begin with \"" + std::string(kind.mark) + "\", so it is no " + std::string(kind.what));
   }
-  if (bytes.size() < 128) {
+  if (bytes.size() < head_size) {
     fail(BvhFileProblem::truncated, "ends after " + std::to_string(bytes.size()) + " bytes, in the head of 128");
   }
   FileOpening opening;
@@ -66,6 +82,16 @@ void require_length(const FileKind& kind, const std::string& path, std::size_t s
   if (said == promised && promised == size) return;
   refuse_file(kind, path, BvhFileProblem::truncated,
               "has " + std::to_string(size) + " bytes, and its head promises " + std::to_string(promised));
+}
+
+void require_checksum(const FileKind& kind, const std::string& path, std::span<const std::byte> bytes) {
+  std::uint64_t written = 0;
+  std::memcpy(&written, bytes.data() + checksum_at, sizeof written);
+  Checksum checksum;
+  checksum.add(bytes.first(checksum_at));
+  checksum.add(bytes.subspan(head_size));
+  if (checksum.value() == written) return;
+  refuse_file(kind, path, BvhFileProblem::damaged, "is damaged: its bytes have another checksum than was written");
 }
 
 void require_exponent(const FileKind& kind, const std::string& path, std::int32_t exponent) {
@@ -90,12 +116,20 @@ FileBytes map_file(const std::string& path) {
   return {{static_cast<const std::byte*>(at), size}, std::make_shared<const Mapping>(at, size)};
 }
 
-void write_file(const std::string& path, std::span<const std::span<const std::byte>> parts) {
+void write_file(const std::string& path, std::span<std::byte, head_size> head,
+                std::span<const std::span<const std::byte>> arrays) {
+  Checksum checksum;
+  checksum.add(head.first(checksum_at));
+  for (const auto& bytes : arrays) checksum.add(bytes);
+  const std::uint64_t value = checksum.value();
+  std::memcpy(head.data() + checksum_at, &value, sizeof value);
   const std::string part = path + ".part";
   std::ofstream out(part, std::ios::binary | std::ios::trunc);
-  for (const std::span<const std::byte>& bytes : parts) {
+  const auto put = [&](std::span<const std::byte> bytes) {
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  }
+  };
+  put(head);
+  for (const auto& bytes : arrays) put(bytes);
   out.close();
   std::error_code failed;
   if (out) std::filesystem::rename(part, path, failed);

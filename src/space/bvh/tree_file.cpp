@@ -10,14 +10,15 @@ namespace plumb {
 namespace space {
 namespace {
 
-constexpr FileKind tree_kind{"plumbbvh", 1, "tree", "write_bvh"};
+constexpr FileKind tree_kind{"plumbbvh", 2, "tree", "write_bvh(path, build_bvh(mesh))"};
 
 struct TreeHead {
   FileOpening opening;
   std::int32_t exponent;
   std::uint32_t unused;
   std::uint64_t nodes, vertices, slots, length;
-  std::byte rest[72];
+  std::byte rest[64];
+  std::uint64_t checksum;
 };
 static_assert(sizeof(TreeHead) == 128 && std::is_trivially_copyable_v<TreeHead>);
 
@@ -32,6 +33,7 @@ TreeHead tree_head_of(const std::string& path, std::span<const std::byte> bytes)
     refuse_file(tree_kind, path, BvhFileProblem::broken_law, "promises more than 2^32 nodes, vertices or slots");
   }
   require_length(tree_kind, path, bytes.size(), head.length, length_of(head));
+  require_checksum(tree_kind, path, bytes);
   require_exponent(tree_kind, path, head.exponent);
   return head;
 }
@@ -47,10 +49,9 @@ void write_bvh(const std::string& path, const Bvh& bvh) {
   head.vertices = bvh.vertices.size();
   head.slots = bvh.triangles.size();
   head.length = space::length_of(head);
-  const std::array<std::span<const std::byte>, 5> parts{
-      std::as_bytes(std::span(&head, 1)), std::as_bytes(bvh.tree.nodes.view()), std::as_bytes(bvh.vertices.view()),
-      std::as_bytes(bvh.triangles.view()), std::as_bytes(bvh.tree.items.view())};
-  space::write_file(path, parts);
+  const std::array arrays{std::as_bytes(bvh.tree.nodes.view()), std::as_bytes(bvh.vertices.view()),
+                          std::as_bytes(bvh.triangles.view()), std::as_bytes(bvh.tree.items.view())};
+  space::write_file(path, std::as_writable_bytes(std::span<space::TreeHead, 1>(&head, 1)), arrays);
 }
 
 Bvh map_bvh(const std::string& path) {

@@ -121,25 +121,25 @@ std::array<Point3, 3> PortalCells::plane_before(std::uint32_t portal, std::uint3
   return portals_[portal].cells[0] == cell ? planes_[portal] : space::turned_round(planes_[portal]);
 }
 
-std::vector<std::uint32_t> PortalCells::cells_holding(const Point3& point) const {
-  std::vector<std::uint32_t> found;
+std::vector<std::uint32_t> PortalCells::cells_holding(const Point3& point, std::vector<std::uint32_t> rows) const {
+  rows.clear();
   figure::require_finite_parts<Point3>("PortalCells::cells_holding", {"point"}, point);
   for (const std::uint32_t cell : in_box(boxes_, {point, point})) {
-    if (contains(cells_[cell], point)) found.push_back(cell);
+    if (contains(cells_[cell], point)) rows.push_back(cell);
   }
-  return found;
+  return rows;
 }
 
-std::vector<std::uint32_t> PortalCells::portals_at(const Point3& point) const {
-  std::vector<std::uint32_t> found;
+std::vector<std::uint32_t> PortalCells::portals_at(const Point3& point, std::vector<std::uint32_t> rows) const {
+  rows.clear();
   for (const std::uint32_t cell : cells_holding(point)) {
     for (const std::uint32_t portal : portals_of(cell)) {
       // Each from the first of its cells.
-      if (portals_[portal].cells[0] == cell && contains(portals_[portal].polygon, point)) found.push_back(portal);
+      if (portals_[portal].cells[0] == cell && contains(portals_[portal].polygon, point)) rows.push_back(portal);
     }
   }
-  std::sort(found.begin(), found.end());
-  return found;
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 void PortalCells::require_cell(std::string_view function, std::uint32_t cell) const {

@@ -44,19 +44,21 @@ void closest_of_each(const Mesh& mesh, std::span<const Point3> points, std::span
 }
 
 template <class Mesh>
-std::vector<NearTriangle> nearest_of(const Mesh& mesh, const Point3& p, std::size_t k) {
+std::vector<NearTriangle> nearest_of(const Mesh& mesh, const Point3& p, std::size_t k,
+                                     std::vector<NearTriangle> nearest) {
+  nearest.clear();
   query::require_figure("nearest_triangles", "p", p);
-  std::vector<NearTriangle> nearest;
   NearestIn<Mesh> search(mesh, k);
   for (const auto& c : search.of(p)) nearest.push_back({c.item, c.distance});
   return nearest;
 }
 
 template <class Mesh>
-std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double distance) {
+std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double distance,
+                                       std::vector<NearTriangle> within) {
+  within.clear();
   query::require_figure("triangles_within", "p", p);
   require_finite_distance(distance);
-  std::vector<NearTriangle> within;
   if (distance < 0) return within;
   const SlotTriangles triangles(mesh);
   each_within(mesh, triangles, p, distance, [&](std::uint32_t slot, double d) {
@@ -82,18 +84,22 @@ void closest_on_mesh(const CompactBvh& mesh, std::span<const Point3> points, std
   space::closest_of_each(mesh, points, out, options);
 }
 
-std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k) {
-  return space::nearest_of(mesh, p, k);
+std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k,
+                                            std::vector<NearTriangle> rows) {
+  return space::nearest_of(mesh, p, k, std::move(rows));
 }
-std::vector<NearTriangle> nearest_triangles(const CompactBvh& mesh, const Point3& p, std::size_t k) {
-  return space::nearest_of(mesh, p, k);
+std::vector<NearTriangle> nearest_triangles(const CompactBvh& mesh, const Point3& p, std::size_t k,
+                                            std::vector<NearTriangle> rows) {
+  return space::nearest_of(mesh, p, k, std::move(rows));
 }
 
-std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance) {
-  return space::found_within(mesh, p, distance);
+std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance,
+                                           std::vector<NearTriangle> rows) {
+  return space::found_within(mesh, p, distance, std::move(rows));
 }
-std::vector<NearTriangle> triangles_within(const CompactBvh& mesh, const Point3& p, double distance) {
-  return space::found_within(mesh, p, distance);
+std::vector<NearTriangle> triangles_within(const CompactBvh& mesh, const Point3& p, double distance,
+                                           std::vector<NearTriangle> rows) {
+  return space::found_within(mesh, p, distance, std::move(rows));
 }
 
 }  // namespace plumb

@@ -57,18 +57,20 @@ void closest_on_posed_of_each(const PosedMeshOf<Mesh>& mesh, std::span<const Poi
 }
 
 template <class Mesh>
-std::vector<NearTriangle> posed_nearest(const PosedMeshOf<Mesh>& mesh, const Point3& p, std::size_t k) {
+std::vector<NearTriangle> posed_nearest(const PosedMeshOf<Mesh>& mesh, const Point3& p, std::size_t k,
+                                        std::vector<NearTriangle> nearest) {
+  nearest.clear();
   require_posed("nearest_triangles", mesh, p);
-  std::vector<NearTriangle> nearest;
   for (const auto& c : nearest_posed(mesh, p, k)) nearest.push_back({c.item, c.distance});
   return nearest;
 }
 
 template <class Mesh>
-std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Point3& p, double distance) {
+std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Point3& p, double distance,
+                                       std::vector<NearTriangle> within) {
+  within.clear();
   require_posed("triangles_within", mesh, p);
   require_finite_distance(distance);
-  std::vector<NearTriangle> within;
   if (distance < 0) return within;
   const Aabb3 point{p, p};
   const double limit = square_above_exact(distance);
@@ -100,11 +102,13 @@ std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Poin
                        const ClosestOptions& options) {                                                \
     space::closest_on_posed_of_each(mesh, points, out, options);                                       \
   }                                                                                                    \
-  std::vector<NearTriangle> nearest_triangles(const Mesh& mesh, const Point3& p, std::size_t k) {      \
-    return space::posed_nearest(mesh, p, k);                                                           \
+  std::vector<NearTriangle> nearest_triangles(const Mesh& mesh, const Point3& p, std::size_t k,        \
+                                              std::vector<NearTriangle> rows) {                        \
+    return space::posed_nearest(mesh, p, k, std::move(rows));                                          \
   }                                                                                                    \
-  std::vector<NearTriangle> triangles_within(const Mesh& mesh, const Point3& p, double distance) {     \
-    return space::posed_within(mesh, p, distance);                                                     \
+  std::vector<NearTriangle> triangles_within(const Mesh& mesh, const Point3& p, double distance,       \
+                                             std::vector<NearTriangle> rows) {                         \
+    return space::posed_within(mesh, p, distance, std::move(rows));                                    \
   }
 PLUMB_POSED_CLOSEST(PosedMesh)
 PLUMB_POSED_CLOSEST(PosedCompactMesh)

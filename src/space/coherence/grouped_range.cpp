@@ -97,9 +97,11 @@ bool meets_slot(const Bvh& mesh, std::uint32_t slot, const Aabb3& around_triangl
 
 template <class Shape>
 std::vector<std::vector<std::uint32_t>> found_of_each(const Bvh& mesh, std::span<const Shape> shapes,
-                                                      const RangeOptions& options) {
+                                                      const RangeOptions& options,
+                                                      std::vector<std::vector<std::uint32_t>> found) {
   const ShapeGroups all = grouped(shapes, options.execution);
-  std::vector<std::vector<std::uint32_t>> found(shapes.size());
+  found.resize(shapes.size());
+  for (auto& list : found) list.clear();
   for_parts("triangles_meeting", options.execution, options.progress, all.groups.size(), [&](std::size_t part) {
     const ShapeGroup& group = all.groups[part];
     const std::span<const std::uint32_t> members(all.order.data() + group.from, group.to - group.from);
@@ -117,11 +119,12 @@ std::vector<std::vector<std::uint32_t>> found_of_each(const Bvh& mesh, std::span
 }
 
 template <class Shape>
-std::vector<std::uint32_t> found_of_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen) {
+std::vector<std::uint32_t> found_of_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen,
+                                        std::vector<std::uint32_t> found) {
+  found.clear();
   if (seen.size() != mesh.triangles.size()) seen.reset(mesh.triangles.size());
   seen.begin();
   const ShapeGroups all = grouped(shapes, Execution::serial);
-  std::vector<std::uint32_t> found;
   for (const ShapeGroup& group : all.groups) {
     visit_group(mesh, group.box, [&](std::uint32_t slot, const Aabb3& box) {
       const std::uint32_t item = mesh.tree.items[slot];
@@ -143,18 +146,21 @@ std::vector<std::uint32_t> found_of_any(const Bvh& mesh, std::span<const Shape> 
 
 template <GroupedShape Shape>
 std::vector<std::vector<std::uint32_t>> grouped_triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
-                                                                  const RangeOptions& options) {
-  return space::found_of_each(mesh, shapes, options);
+                                                                  const RangeOptions& options,
+                                                                  std::vector<std::vector<std::uint32_t>> rows) {
+  return space::found_of_each(mesh, shapes, options, std::move(rows));
 }
 template <GroupedShape Shape>
-std::vector<std::uint32_t> triangles_meeting_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen) {
-  return space::found_of_any(mesh, shapes, seen);
+std::vector<std::uint32_t> triangles_meeting_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen,
+                                                 std::vector<std::uint32_t> rows) {
+  return space::found_of_any(mesh, shapes, seen, std::move(rows));
 }
 
-#define PLUMB_GROUPED_SHAPE(Shape)                                                                               \
-  template std::vector<std::vector<std::uint32_t>> grouped_triangles_meeting(const Bvh&, std::span<const Shape>, \
-                                                                             const RangeOptions&);               \
-  template std::vector<std::uint32_t> triangles_meeting_any(const Bvh&, std::span<const Shape>, VisitStamps&);
+#define PLUMB_GROUPED_SHAPE(Shape)                                                                            \
+  template std::vector<std::vector<std::uint32_t>> grouped_triangles_meeting(                                 \
+      const Bvh&, std::span<const Shape>, const RangeOptions&, std::vector<std::vector<std::uint32_t>>);      \
+  template std::vector<std::uint32_t> triangles_meeting_any(const Bvh&, std::span<const Shape>, VisitStamps&, \
+                                                            std::vector<std::uint32_t>);
 PLUMB_GROUPED_SHAPE(Aabb3)
 PLUMB_GROUPED_SHAPE(Segment3)
 #undef PLUMB_GROUPED_SHAPE

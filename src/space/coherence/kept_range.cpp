@@ -59,36 +59,36 @@ void KeptRange::fill() {
 }
 
 template <KeptRangeShape Shape>
-std::vector<std::uint32_t> KeptRange::triangles_meeting(const Shape& shape) {
+std::vector<std::uint32_t> KeptRange::triangles_meeting(const Shape& shape, std::vector<std::uint32_t> rows) {
+  rows.clear();
   (void)intersects(Aabb3{{0, 0, 0}, {0, 0, 0}}, shape);  // throws where the numbers are no shape
   by_row_ = false;
-  std::vector<std::uint32_t> found;
   if constexpr (std::same_as<Shape, Aabb3>) {
-    if (is_empty(shape)) return found;
+    if (is_empty(shape)) return rows;
   }
   Aabb3 box;
   try {
     box = box_of(shape);
   } catch (const BeyondDoubles&) {  // no box of doubles holds it
-    return plumb::triangles_meeting(*mesh_, shape);
+    return plumb::triangles_meeting(*mesh_, shape, std::move(rows));
   }
   if (is_empty(region_) || !contains(region_, box)) {
     region_ = region_around(box, margin_);
     is_filled_ = false;
-    return plumb::triangles_meeting(*mesh_, shape);
+    return plumb::triangles_meeting(*mesh_, shape, std::move(rows));
   }
   if (!is_filled_) fill();
   by_row_ = true;
   for (const Kept& k : row_) {
-    if (space::boxes_meet(k.box, box, true) && space::meets_triangle(k.triangle, shape)) found.push_back(k.number);
+    if (space::boxes_meet(k.box, box, true) && space::meets_triangle(k.triangle, shape)) rows.push_back(k.number);
   }
-  return found;
+  return rows;
 }
 
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Aabb3&);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Obb3&);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Sphere3&);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Capsule3&);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Segment3&);
+template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Aabb3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Obb3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Sphere3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Capsule3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Segment3&, std::vector<std::uint32_t>);
 
 }  // namespace plumb

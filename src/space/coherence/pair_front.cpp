@@ -99,10 +99,10 @@ std::vector<TrianglePair> follow(const char* function, Front& front, FrontWork& 
   return found;
 }
 
-std::vector<TrianglePair> ordered(std::vector<TrianglePair> pairs, const Bvh& a) {
+std::vector<TrianglePair> ordered(std::vector<TrianglePair> pairs, const Bvh& a, std::vector<TrianglePair> rows) {
   std::vector<std::vector<TrianglePair>> parts;
   parts.push_back(std::move(pairs));
-  return in_order(std::move(parts), a.triangles.size());
+  return in_order(std::move(parts), a.triangles.size(), std::move(rows));
 }
 
 std::size_t bytes_of(const DividedNodes& divided) {
@@ -115,24 +115,30 @@ std::size_t bytes_of(const NeededBoxes& needed) {
 }  // namespace
 }  // namespace space
 
-std::vector<TrianglePair> PairFront::intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options) {
+std::vector<TrianglePair> PairFront::intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options,
+                                                        std::vector<TrianglePair> rows) {
   return space::ordered(space::follow("intersecting_pairs", front_, work_, space::StandingScene(a, b, false), options),
-                        a);
+                        a, std::move(rows));
 }
 std::vector<TrianglePair> PairFront::intersecting_pairs(const PosedMesh& a, const PosedMesh& b,
-                                                        const PairOptions& options) {
+                                                        const PairOptions& options, std::vector<TrianglePair> rows) {
   constexpr const char* function = "intersecting_pairs";
-  if (space::are_moved_alike(function, a, b)) return intersecting_pairs(a.bvh, b.bvh, options);
-  return space::ordered(space::follow(function, front_, work_, space::MovedScene(a, b, false), options), a.bvh);
+  if (space::are_moved_alike(function, a, b)) return intersecting_pairs(a.bvh, b.bvh, options, std::move(rows));
+  return space::ordered(space::follow(function, front_, work_, space::MovedScene(a, b, false), options), a.bvh,
+                        std::move(rows));
 }
-std::vector<TrianglePair> PairFront::self_intersecting_pairs(const Bvh& mesh, const PairOptions& options) {
+std::vector<TrianglePair> PairFront::self_intersecting_pairs(const Bvh& mesh, const PairOptions& options,
+                                                             std::vector<TrianglePair> rows) {
   return space::ordered(
-      space::follow("self_intersecting_pairs", front_, work_, space::StandingScene(mesh, mesh, true), options), mesh);
+      space::follow("self_intersecting_pairs", front_, work_, space::StandingScene(mesh, mesh, true), options), mesh,
+      std::move(rows));
 }
-std::vector<TrianglePair> PairFront::self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options) {
+std::vector<TrianglePair> PairFront::self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options,
+                                                             std::vector<TrianglePair> rows) {
   constexpr const char* function = "self_intersecting_pairs";
-  if (space::is_moved_regularly(function, mesh)) return self_intersecting_pairs(mesh.bvh, options);
-  return space::ordered(space::follow(function, front_, work_, space::MovedScene(mesh, mesh, true), options), mesh.bvh);
+  if (space::is_moved_regularly(function, mesh)) return self_intersecting_pairs(mesh.bvh, options, std::move(rows));
+  return space::ordered(space::follow(function, front_, work_, space::MovedScene(mesh, mesh, true), options), mesh.bvh,
+                        std::move(rows));
 }
 
 std::size_t PairFront::memory() const {

@@ -124,21 +124,22 @@ void HierarchicalGrid<Box>::for_list(int level, const space::CellNumber<n>& cell
 }
 
 template <class Box>
-std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options) const {
+std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
   std::vector<space::SweptBox<Box>> boxes;
   std::vector<int> levels;
   for (std::uint32_t i = 0; i < entries_.size(); ++i) {
     if (contains(i)) boxes.push_back({boxes_[i], i}), levels.push_back(entries_[i].level);
   }
-  return space::pairs_of_levels(options, boxes, levels);
+  return space::pairs_of_levels(options, boxes, levels, std::move(rows));
 }
 
 template <class Box>
-std::vector<std::uint32_t> HierarchicalGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  if (!space::may_hold("HierarchicalGrid::in_box", box)) return {};
-  std::vector<std::uint32_t> out;
+std::vector<std::uint32_t> HierarchicalGrid<Box>::in_box(const Box& box, const InBoxOptions& options,
+                                                         std::vector<std::uint32_t> rows) const {
+  rows.clear();
+  if (!space::may_hold("HierarchicalGrid::in_box", box)) return rows;
   const auto test = [&](std::uint32_t b) {
-    if (space::is_pair(box, boxes_[b], options.touching)) out.push_back(b);
+    if (space::is_pair(box, boxes_[b], options.touching)) rows.push_back(b);
   };
   double cells = 0;
   for (const Level& l : levels_) {
@@ -148,14 +149,14 @@ std::vector<std::uint32_t> HierarchicalGrid<Box>::in_box(const Box& box, const I
     for (std::uint32_t b = 0; b < entries_.size(); ++b) {
       if (contains(b)) test(b);
     }
-    return out;
+    return rows;
   }
   for (const Level& l : levels_) {
     space::for_cells(with_those_before(space::cells_of(box, space::per_level_size(l.level))),
                      [&](const auto& cell) { for_list(l.level, cell, test); });
   }
-  std::sort(out.begin(), out.end());
-  return out;
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 template <class Box>

@@ -57,7 +57,8 @@ void ImplicitGrid<Box>::move(std::uint32_t handle, const Box& box) {
 }
 
 template <class Box>
-std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options) const {
+std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+  rows.clear();
   const std::size_t all = boxes_.numbers(), parts = (all + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);
   space::for_parts("ImplicitGrid::pairs", options.execution, {}, parts, [&](std::size_t part) {
@@ -72,21 +73,21 @@ std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options) con
       });
     }
   });
-  std::vector<BoxPair> out;
-  for (const auto& f : found) out.insert(out.end(), f.begin(), f.end());
-  return out;
+  for (const auto& f : found) rows.insert(rows.end(), f.begin(), f.end());
+  return rows;
 }
 
 template <class Box>
-std::vector<std::uint32_t> ImplicitGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  if (!space::may_hold("ImplicitGrid::in_box", box)) return {};
-  std::vector<std::uint32_t> out;
+std::vector<std::uint32_t> ImplicitGrid<Box>::in_box(const Box& box, const InBoxOptions& options,
+                                                     std::vector<std::uint32_t> rows) const {
+  rows.clear();
+  if (!space::may_hold("ImplicitGrid::in_box", box)) return rows;
   std::vector<std::uint64_t> both, one;
   rows_.for_common(space::cells_of(box, per_size_), 0, boxes_.numbers(), both, one, [&](std::size_t j) {
     const auto b = static_cast<std::uint32_t>(j);
-    if (space::is_pair(box, boxes_[b], options.touching)) out.push_back(b);
+    if (space::is_pair(box, boxes_[b], options.touching)) rows.push_back(b);
   });
-  return out;
+  return rows;
 }
 
 template class ImplicitGrid<Aabb2>;

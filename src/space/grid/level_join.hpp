@@ -46,8 +46,8 @@ class LevelJoin {
 
   /// row_of(box, level): where its min lies in cells of that level, which is not below its own.
   template <class RowOf>
-  std::vector<BoxPair> pairs(bool touching, const RowOf& row_of) {
-    return touching ? pairs_of<true>(row_of) : pairs_of<false>(row_of);
+  std::vector<BoxPair> pairs(bool touching, const RowOf& row_of, std::vector<BoxPair> rows) {
+    return touching ? pairs_of<true>(row_of, std::move(rows)) : pairs_of<false>(row_of, std::move(rows));
   }
 
  private:
@@ -125,9 +125,9 @@ class LevelJoin {
   };
 
   template <bool touching, class RowOf>
-  std::vector<BoxPair> pairs_of(const RowOf& row_of) {
+  std::vector<BoxPair> pairs_of(const RowOf& row_of, std::vector<BoxPair> rows) {
     for (const int level : levels_) join<touching>(level, row_of);
-    return pairs_in_order(found_, numbers_);
+    return pairs_in_order(found_, numbers_, std::move(rows));
   }
 
   /// Of boxes of this level with one another and with those of lower ones.

@@ -167,8 +167,8 @@ void ListGrid<Box, table>::move(std::uint32_t handle, const Box& box) {
 }
 
 template <class Box, CellTable table>
-std::vector<BoxPair> ListGrid<Box, table>::pairs(const BoxPairOptions& options) const {
-  std::vector<BoxPair> out;
+std::vector<BoxPair> ListGrid<Box, table>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+  rows.clear();
   for (const std::uint32_t head : heads_) {
     for (std::uint32_t i = head; i != none; i = nodes_[i].next) {
       const Node& a = nodes_[i];
@@ -177,18 +177,19 @@ std::vector<BoxPair> ListGrid<Box, table>::pairs(const BoxPairOptions& options) 
         if (table == CellTable::hashed && a.cell != b.cell) continue;
         if (!space::is_pair(boxes_[a.box], boxes_[b.box], options.touching)) continue;
         if (!space::is_lowest_cell(a.cell, spans_[a.box].first, spans_[b.box].first)) continue;
-        out.push_back({std::min(a.box, b.box), std::max(a.box, b.box)});
+        rows.push_back({std::min(a.box, b.box), std::max(a.box, b.box)});
       }
     }
   }
-  return out;
+  return rows;
 }
 
 template <class Box, CellTable table>
 template <class Seen>
-std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touching, Seen& seen) const {
-  if (!space::may_hold(Names<table>::in_box, box)) return {};
-  std::vector<std::uint32_t> out;
+std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touching, Seen& seen,
+                                                       std::vector<std::uint32_t> rows) const {
+  rows.clear();
+  if (!space::may_hold(Names<table>::in_box, box)) return rows;
   fit(seen, boxes_.numbers());
   const Span span = span_of(box);
   const auto look = [&](const Node& node, const space::CellNumber<n>& cell) {
@@ -198,7 +199,7 @@ std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touc
     } else {
       if (!seen.visit(node.box) || !space::is_pair(box, boxes_[node.box], touching)) return;
     }
-    out.push_back(node.box);
+    rows.push_back(node.box);
   };
   if (space::cell_count(span) > static_cast<double>(used_)) {  // fewer nodes than cells: each node, where it lies
     for (const std::uint32_t head : heads_) {
@@ -213,24 +214,25 @@ std::vector<std::uint32_t> ListGrid<Box, table>::found(const Box& box, bool touc
       }
     });
   }
-  std::sort(out.begin(), out.end());
-  return out;
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 template <class Box, CellTable table>
-std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, const InBoxOptions& options) const {
+std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, const InBoxOptions& options,
+                                                        std::vector<std::uint32_t> rows) const {
   LowestCell nothing;
-  return found(box, options.touching, nothing);
+  return found(box, options.touching, nothing, std::move(rows));
 }
 template <class Box, CellTable table>
-std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, VisitStamps& seen,
-                                                        const InBoxOptions& options) const {
-  return found(box, options.touching, seen);
+std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, VisitStamps& seen, const InBoxOptions& options,
+                                                        std::vector<std::uint32_t> rows) const {
+  return found(box, options.touching, seen, std::move(rows));
 }
 template <class Box, CellTable table>
-std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, VisitBits& seen,
-                                                        const InBoxOptions& options) const {
-  return found(box, options.touching, seen);
+std::vector<std::uint32_t> ListGrid<Box, table>::in_box(const Box& box, VisitBits& seen, const InBoxOptions& options,
+                                                        std::vector<std::uint32_t> rows) const {
+  return found(box, options.touching, seen, std::move(rows));
 }
 
 template <class Box, CellTable table>

@@ -104,23 +104,24 @@ void RowColumnGrid<Box>::for_overlapping(const Box& box, bool touching, Scratch&
 }
 
 template <class Box>
-std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options) const {
+std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
   std::vector<space::SweptBox<Box>> boxes;
   std::vector<int> levels;
   for (std::uint32_t i = 0; i < places_.size(); ++i) {
     if (contains(i)) boxes.push_back({boxes_[i], i}), levels.push_back(places_[i].level);
   }
-  return space::pairs_of_levels(options, boxes, levels);
+  return space::pairs_of_levels(options, boxes, levels, std::move(rows));
 }
 
 template <class Box>
-std::vector<std::uint32_t> RowColumnGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  if (!space::may_hold("RowColumnGrid::in_box", box)) return {};
-  std::vector<std::uint32_t> out;
+std::vector<std::uint32_t> RowColumnGrid<Box>::in_box(const Box& box, const InBoxOptions& options,
+                                                      std::vector<std::uint32_t> rows) const {
+  rows.clear();
+  if (!space::may_hold("RowColumnGrid::in_box", box)) return rows;
   Scratch scratch;
-  for_overlapping(box, options.touching, scratch, [&](std::uint32_t b) { out.push_back(b); });
-  std::sort(out.begin(), out.end());
-  return out;
+  for_overlapping(box, options.touching, scratch, [&](std::uint32_t b) { rows.push_back(b); });
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 template <class Box>

@@ -100,7 +100,7 @@ void StaticGrid<Box>::pairs_in(std::size_t cell, bool touching, std::vector<Memb
 }
 
 template <class Box>
-std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options) const {
+std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
   const std::size_t parts = std::clamp<std::size_t>(numbers_.size() / least_entries_in_part, 1, most_parts);
   std::vector<std::vector<BoxPair>> found(parts);
   const auto first_cell = [&](std::size_t part) {
@@ -115,13 +115,12 @@ std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options) const
       pairs_in(c, options.touching, members, found[part]);
     }
   });
-  if (parts == 1) return std::move(found[0]);
-  std::vector<BoxPair> all;
+  rows.clear();
   std::size_t size = 0;
   for (const auto& f : found) size += f.size();
-  all.reserve(size);
-  for (const auto& f : found) all.insert(all.end(), f.begin(), f.end());
-  return all;
+  rows.reserve(size);
+  for (const auto& f : found) rows.insert(rows.end(), f.begin(), f.end());
+  return rows;
 }
 
 /// To the cells that there are; is one left?
@@ -154,25 +153,26 @@ std::size_t StaticGrid<Box>::cell_of_pair(const Box& a, const Box& b) const {
 }
 
 template <class Box>
-std::vector<std::uint32_t> StaticGrid<Box>::in_box(const Box& box, const InBoxOptions& options) const {
-  if (!space::may_hold("StaticGrid::in_box", box)) return {};
-  std::vector<std::uint32_t> found;
-  if (boxes_.empty()) return found;
+std::vector<std::uint32_t> StaticGrid<Box>::in_box(const Box& box, const InBoxOptions& options,
+                                                   std::vector<std::uint32_t> rows) const {
+  rows.clear();
+  if (!space::may_hold("StaticGrid::in_box", box)) return rows;
+  if (boxes_.empty()) return rows;
   Span span = space::cells_of(box, per_size_);
   const space::CellNumber<n> first = span.first;
-  if (!clip(span)) return found;
+  if (!clip(span)) return rows;
   space::for_cells(span, [&](const auto& cell) {
     const std::size_t slice = slice_of(cell);
     for (std::size_t i = starts_[slice]; i < starts_[slice + 1]; ++i) {
       const std::uint32_t number = numbers_[i];
       if (space::is_pair(box, boxes_[number], options.touching) &&
           space::is_lowest_cell(cell, first, spans_[number].first)) {
-        found.push_back(number);
+        rows.push_back(number);
       }
     }
   });
-  std::sort(found.begin(), found.end());
-  return found;
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 template <class Box>

@@ -93,8 +93,8 @@ inline void copy_list(const std::vector<std::uint32_t>& from, std::size_t start,
   }
 }
 
-inline PointLists put_together(std::size_t n, std::size_t block_size, const std::vector<ListBlock>& blocks) {
-  PointLists lists;
+inline PointLists put_together(std::size_t n, std::size_t block_size, const std::vector<ListBlock>& blocks,
+                               PointLists lists = {}) {
   lists.first.clear();
   lists.first.reserve(n + 1);
   std::size_t total = 0;

@@ -49,13 +49,13 @@ void add_figures_in_box(const FigureTree<Figure>& tree, const typename FigureTre
 
 /// A list of each of n.
 template <class Add>
-FigureLists listed(std::size_t n, Execution execution, const Add& add) {
+FigureLists listed(std::size_t n, Execution execution, FigureLists lists, const Add& add) {
   std::vector<ListBlock> blocks(blocks_of(n, figure_block));
   for_blocks(execution, n, figure_block, [&](std::size_t b, std::size_t from, std::size_t to) {
     blocks[b] =
         asked_in_turn(to - from, [&](std::uint32_t i, std::vector<std::uint32_t>& numbers) { add(from + i, numbers); });
   });
-  return put_together(n, figure_block, blocks);
+  return put_together(n, figure_block, blocks, std::move(lists));
 }
 
 }  // namespace
@@ -63,46 +63,51 @@ FigureLists listed(std::size_t n, Execution execution, const Add& add) {
 
 template <KeptFigure Figure>
 std::vector<std::uint32_t> within(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p,
-                                  double radius) {
+                                  double radius, std::vector<std::uint32_t> rows) {
   space::kd::require_radius(radius);
   query::require_figure("within", "p", p);
-  std::vector<std::uint32_t> numbers;
-  space::kd::add_figures_within(tree, p, radius, numbers);
-  return numbers;
+  rows.clear();
+  space::kd::add_figures_within(tree, p, radius, rows);
+  return rows;
 }
 template <KeptFigure Figure>
 std::vector<std::uint32_t> in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box,
-                                  const InBoxOptions& options) {
+                                  const InBoxOptions& options, std::vector<std::uint32_t> rows) {
   query::require_figure("in_box", "box", box);
-  std::vector<std::uint32_t> numbers;
-  space::kd::add_figures_in_box(tree, box, options.touching, numbers);
-  return numbers;
+  rows.clear();
+  space::kd::add_figures_in_box(tree, box, options.touching, rows);
+  return rows;
 }
 
 template <KeptFigure Figure>
 FigureLists within(const FigureTree<Figure>& tree, std::span<const typename FigureTree<Figure>::Point> queries,
-                   double radius, Execution execution) {
+                   double radius, Execution execution, FigureLists lists) {
   space::kd::require_radius(radius);
   require_finite_points("within", "queries", queries);
-  return space::kd::listed(queries.size(), execution, [&](std::size_t i, std::vector<std::uint32_t>& numbers) {
-    space::kd::add_figures_within(tree, queries[i], radius, numbers);
-  });
+  return space::kd::listed(queries.size(), execution, std::move(lists),
+                           [&](std::size_t i, std::vector<std::uint32_t>& numbers) {
+                             space::kd::add_figures_within(tree, queries[i], radius, numbers);
+                           });
 }
 template <KeptFigure Figure>
 FigureLists in_box(const FigureTree<Figure>& tree, std::span<const typename FigureTree<Figure>::Box> boxes,
-                   Execution execution, const InBoxOptions& options) {
+                   Execution execution, const InBoxOptions& options, FigureLists lists) {
   space::kd::require_finite_boxes(boxes);
-  return space::kd::listed(boxes.size(), execution, [&](std::size_t i, std::vector<std::uint32_t>& numbers) {
-    space::kd::add_figures_in_box(tree, boxes[i], options.touching, numbers);
-  });
+  return space::kd::listed(boxes.size(), execution, std::move(lists),
+                           [&](std::size_t i, std::vector<std::uint32_t>& numbers) {
+                             space::kd::add_figures_in_box(tree, boxes[i], options.touching, numbers);
+                           });
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                                        \
-  template std::vector<std::uint32_t> within(const FigureTree<F>&, const FigureTree<F>::Point&, double);            \
-  template std::vector<std::uint32_t> in_box(const FigureTree<F>&, const FigureTree<F>::Box&, const InBoxOptions&); \
-  template FigureLists within(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, double, Execution);      \
-  template FigureLists in_box(const FigureTree<F>&, std::span<const FigureTree<F>::Box>, Execution,                 \
-                              const InBoxOptions&);
+#define PLUMB_INSTANTIATE(F)                                                                                       \
+  template std::vector<std::uint32_t> within(const FigureTree<F>&, const FigureTree<F>::Point&, double,            \
+                                             std::vector<std::uint32_t>);                                          \
+  template std::vector<std::uint32_t> in_box(const FigureTree<F>&, const FigureTree<F>::Box&, const InBoxOptions&, \
+                                             std::vector<std::uint32_t>);                                          \
+  template FigureLists within(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, double, Execution,      \
+                              FigureLists);                                                                        \
+  template FigureLists in_box(const FigureTree<F>&, std::span<const FigureTree<F>::Box>, Execution,                \
+                              const InBoxOptions&, FigureLists);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE
 

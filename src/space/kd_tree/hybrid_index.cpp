@@ -111,13 +111,13 @@ void add_pairs_in_part(const Index& index, std::size_t part, bool touching, std:
 }
 
 template <class Index>
-std::vector<BoxPair> all_pairs(const Index& index, const BoxPairOptions& options) {
+std::vector<BoxPair> all_pairs(const Index& index, const BoxPairOptions& options, std::vector<BoxPair> pairs) {
   constexpr std::size_t block = 16;
   std::vector<std::vector<BoxPair>> found(blocks_of(index.parts(), block));
   for_blocks(options.execution, index.parts(), block, [&](std::size_t b, std::size_t from, std::size_t to) {
     for (std::size_t part = from; part < to; ++part) add_pairs_in_part(index, part, options.touching, found[b]);
   });
-  std::vector<BoxPair> pairs;
+  pairs.clear();
   for (const auto& f : found) pairs.insert(pairs.end(), f.begin(), f.end());
   return pairs;
 }
@@ -207,34 +207,36 @@ TreeOfGrids<Box> build_tree_of_grids(std::span<const Box> boxes, const HybridOpt
 
 template <class Box>
 std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box,
-                                  const InBoxOptions& options) {
+                                  const InBoxOptions& options, std::vector<std::uint32_t> rows) {
   query::require_figure("in_box", "box", box);
-  std::vector<std::uint32_t> found;
-  if (is_empty(box)) return found;
-  for (const std::size_t cell : index.grid.cells_meeting(box)) space::kd::add_in_part(index, cell, box, options, found);
-  std::sort(found.begin(), found.end());
-  return found;
+  rows.clear();
+  if (is_empty(box)) return rows;
+  for (const std::size_t cell : index.grid.cells_meeting(box)) space::kd::add_in_part(index, cell, box, options, rows);
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 template <class Box>
 std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box,
-                                  const InBoxOptions& options) {
+                                  const InBoxOptions& options, std::vector<std::uint32_t> rows) {
   query::require_figure("in_box", "box", box);
-  std::vector<std::uint32_t> found;
-  if (is_empty(box)) return found;
+  rows.clear();
+  if (is_empty(box)) return rows;
   space::kd::for_leaves_meeting(index.tree, box,
-                                [&](std::size_t leaf) { space::kd::add_in_part(index, leaf, box, options, found); });
-  std::sort(found.begin(), found.end());
-  return found;
+                                [&](std::size_t leaf) { space::kd::add_in_part(index, leaf, box, options, rows); });
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 template <class Box>
-std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>& index, const BoxPairOptions& options) {
-  return space::kd::all_pairs(index, options);
+std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>& index, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return space::kd::all_pairs(index, options, std::move(rows));
 }
 template <class Box>
-std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>& index, const BoxPairOptions& options) {
-  return space::kd::all_pairs(index, options);
+std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>& index, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return space::kd::all_pairs(index, options, std::move(rows));
 }
 
 template <class Box>
@@ -258,11 +260,13 @@ std::size_t memory_of(const TreeOfGrids<Box>& index) {
   template GridOfTrees<Box> build_grid_of_trees(std::span<const Box>, const HybridOptions&);           \
   template TreeOfGrids<Box> build_tree_of_grids(std::span<const Box>, const HybridOptions&);           \
   template std::vector<std::uint32_t> in_box(const GridOfTrees<Box>&, const GridOfTrees<Box>::Figure&, \
-                                             const InBoxOptions&);                                     \
+                                             const InBoxOptions&, std::vector<std::uint32_t>);         \
   template std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>&, const TreeOfGrids<Box>::Figure&, \
-                                             const InBoxOptions&);                                     \
-  template std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>&, const BoxPairOptions&);     \
-  template std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>&, const BoxPairOptions&);     \
+                                             const InBoxOptions&, std::vector<std::uint32_t>);         \
+  template std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>&, const BoxPairOptions&,      \
+                                                  std::vector<BoxPair>);                               \
+  template std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>&, const BoxPairOptions&,      \
+                                                  std::vector<BoxPair>);                               \
   template std::size_t memory_of(const GridOfTrees<Box>&);                                             \
   template std::size_t memory_of(const TreeOfGrids<Box>&);
 PLUMB_INSTANTIATE(Aabb2)

@@ -1,11 +1,10 @@
 #include "plumb/space/kd_tree/kd_tree.hpp"
 
-#include <tbb/parallel_invoke.h>
-
 #include <array>
 #include <limits>
 #include <string>
 
+#include "certify/batch/all_threads.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/arith/error.hpp"
 #include "space/kd_tree/point_search.hpp"
@@ -71,11 +70,9 @@ class Builder {
     constexpr std::ptrdiff_t worth_a_task = 4096;
     const auto lower = [&] { build(2 * node + 1, level + 1, leaf); };
     const auto upper = [&] { build(2 * node + 2, level + 1, leaf + leaves / 2); };
-    if (execution_ == Execution::parallel && last - first > worth_a_task) {
-      tbb::parallel_invoke(lower, upper);
-    } else {
-      lower(), upper();
-    }
+    const bool by_two = execution_ == Execution::parallel && last - first > worth_a_task;
+    certify::batch::for_each_part(by_two ? Execution::parallel : Execution::serial, 2,
+                                  [&](std::size_t half) { half == 0 ? lower() : upper(); });
   }
 
  private:

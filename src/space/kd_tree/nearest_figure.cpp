@@ -44,18 +44,18 @@ NearestFigure nearest(const FigureTree<Figure>& tree, const typename FigureTree<
 
 template <KeptFigure Figure>
 std::vector<NearestFigure> nearest(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p,
-                                   std::size_t k, Ties ties) {
+                                   std::size_t k, Ties ties, std::vector<NearestFigure> rows) {
   space::kd::require_as_many(k, tree.figures.size(), "figure");
   query::require_figure("nearest", "p", p);
   space::kd::NearestOf<Figure> search(tree, k);
-  std::vector<NearestFigure> out;
-  for (const auto& c : search.of(p)) out.push_back({c.item, c.distance});
+  rows.clear();
+  for (const auto& c : search.of(p)) rows.push_back({c.item, c.distance});
   if (ties == Ties::all && k != 0) {
     // Of equally near ones the lowest are told already.
-    const double distance = out.back().distance;
-    for (const std::uint32_t item : search.tied_with_last()) out.push_back({item, distance});
+    const double distance = rows.back().distance;
+    for (const std::uint32_t item : search.tied_with_last()) rows.push_back({item, distance});
   }
-  return out;
+  return rows;
 }
 
 template <KeptFigure Figure>
@@ -69,12 +69,13 @@ void nearest(const FigureTree<Figure>& tree, std::span<const typename FigureTree
   space::kd::nearest_figures(tree, queries, k, out, execution);
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                                         \
-  template NearestFigure nearest(const FigureTree<F>&, const FigureTree<F>::Point&);                                 \
-  template std::vector<NearestFigure> nearest(const FigureTree<F>&, const FigureTree<F>::Point&, std::size_t, Ties); \
-  template void nearest(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, std::span<NearestFigure>,       \
-                        Execution);                                                                                  \
-  template void nearest(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, std::size_t,                    \
+#define PLUMB_INSTANTIATE(F)                                                                                        \
+  template NearestFigure nearest(const FigureTree<F>&, const FigureTree<F>::Point&);                                \
+  template std::vector<NearestFigure> nearest(const FigureTree<F>&, const FigureTree<F>::Point&, std::size_t, Ties, \
+                                              std::vector<NearestFigure>);                                          \
+  template void nearest(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, std::span<NearestFigure>,      \
+                        Execution);                                                                                 \
+  template void nearest(const FigureTree<F>&, std::span<const FigureTree<F>::Point>, std::size_t,                   \
                         std::span<NearestFigure>, Execution);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE

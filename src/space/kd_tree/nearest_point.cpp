@@ -31,23 +31,24 @@ NearestPoint nearest(const KdTree<Point>& tree, const std::type_identity_t<Point
 
 template <class Point>
 std::vector<NearestPoint> nearest(const KdTree<Point>& tree, const std::type_identity_t<Point>& p, std::size_t k,
-                                  Ties ties) {
+                                  Ties ties, std::vector<NearestPoint> rows) {
   using namespace space::kd;
   require_as_many(k, tree.count, "point");
   require_finite_parts<Point>("nearest", {"p"}, p);
-  if (k == 0) return {};
+  rows.clear();
+  if (k == 0) return rows;
   std::vector<Candidate<Point>> room(k);
-  std::vector<NearestPoint> out(k);
-  k_nearest<Point>(tree, p, leaf_of(tree, p), room, out.data());
-  if (ties == Ties::lowest) return out;
+  rows.resize(k);
+  k_nearest<Point>(tree, p, leaf_of(tree, p), room, rows.data());
+  if (ties == Ties::lowest) return rows;
   std::vector<std::uint32_t> as_near;
   add_ties(tree, p, room.back().at, as_near);
   std::ranges::sort(as_near);
   // Those of the lowest numbers are told already, and the last of them is the last that is told.
-  const auto more = std::ranges::upper_bound(as_near, out.back().index);
-  const double distance = out.back().distance;
-  for (auto i = more; i != as_near.end(); ++i) out.push_back({*i, distance});
-  return out;
+  const auto more = std::ranges::upper_bound(as_near, rows.back().index);
+  const double distance = rows.back().distance;
+  for (auto i = more; i != as_near.end(); ++i) rows.push_back({*i, distance});
+  return rows;
 }
 
 template <class Point>
@@ -85,7 +86,8 @@ void nearest(const KdTree<Point>& tree, std::span<const std::type_identity_t<Poi
 
 #define PLUMB_INSTANTIATE(P)                                                                       \
   template NearestPoint nearest(const KdTree<P>&, const P&);                                       \
-  template std::vector<NearestPoint> nearest(const KdTree<P>&, const P&, std::size_t, Ties);       \
+  template std::vector<NearestPoint> nearest(const KdTree<P>&, const P&, std::size_t, Ties,        \
+                                             std::vector<NearestPoint>);                           \
   template void nearest(const KdTree<P>&, std::span<const P>, std::span<NearestPoint>, Execution); \
   template void nearest(const KdTree<P>&, std::span<const P>, std::size_t, std::span<NearestPoint>, Execution);
 PLUMB_INSTANTIATE(Point2)

@@ -101,7 +101,8 @@ class PlaneWalk {
     }
   }
 
-  std::vector<std::uint32_t> leaves() {
+  std::vector<std::uint32_t> leaves(std::vector<std::uint32_t> leaves) {
+    leaves.clear();
     std::vector<Found> found;
     each_leaf([&](std::size_t leaf, const Place& entry) {
       found.push_back({static_cast<std::uint32_t>(leaf), entry});
@@ -114,7 +115,6 @@ class PlaneWalk {
         return order != 0 ? order < 0 : !a.entry.open && b.entry.open;
       });
     }
-    std::vector<std::uint32_t> leaves;
     for (const Found& f : found) leaves.push_back(f.leaf);
     return leaves;
   }

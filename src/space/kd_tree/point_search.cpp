@@ -325,8 +325,8 @@ namespace plumb::space::kd {
 namespace {
 
 #define PLUMB_EXPORT_BOTH(name) \
-  HWY_EXPORT(name##2);          \
-  HWY_EXPORT(name##3)
+  PLUMB_EXPORT(name##2);        \
+  PLUMB_EXPORT(name##3)
 PLUMB_EXPORT_BOTH(one);
 PLUMB_EXPORT_BOTH(of_each);
 PLUMB_EXPORT_BOTH(leaves);

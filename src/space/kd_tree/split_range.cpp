@@ -58,25 +58,26 @@ void add_pairs_of_leaf(const SplitTree<Figure>& tree, const LeavesOf& leaves, st
 
 template <KeptFigure Figure>
 std::vector<std::uint32_t> in_box(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Box& box,
-                                  const InBoxOptions& options) {
+                                  const InBoxOptions& options, std::vector<std::uint32_t> rows) {
   using namespace space::kd;
   query::require_figure("in_box", "box", box);
-  std::vector<std::uint32_t> found;
-  if (is_empty(box)) return found;
+  rows.clear();
+  if (is_empty(box)) return rows;
   const Aabb3 asked = space::box_in_space(box);
   for_leaves_meeting(tree, box, [&](std::uint32_t leaf) {
     for (const std::uint32_t i : tree.items_in(leaf)) {
-      if (space::boxes_meet(asked, space::box_in_space(tree.figures[i]))) found.push_back(i);
+      if (space::boxes_meet(asked, space::box_in_space(tree.figures[i]))) rows.push_back(i);
     }
   });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::erase_if(found, [&](std::uint32_t i) { return !figures_meet(tree.figures[i], box, options.touching); });
-  return found;
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  std::erase_if(rows, [&](std::uint32_t i) { return !figures_meet(tree.figures[i], box, options.touching); });
+  return rows;
 }
 
 template <KeptFigure Figure>
-std::vector<BoxPair> overlapping_pairs(const SplitTree<Figure>& tree, const BoxPairOptions& options) {
+std::vector<BoxPair> overlapping_pairs(const SplitTree<Figure>& tree, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
   using namespace space::kd;
   constexpr std::size_t block = 64;
   const LeavesOf leaves(tree);
@@ -84,14 +85,15 @@ std::vector<BoxPair> overlapping_pairs(const SplitTree<Figure>& tree, const BoxP
   space::for_blocks(options.execution, tree.leaves(), block, [&](std::size_t b, std::size_t from, std::size_t to) {
     for (std::size_t leaf = from; leaf < to; ++leaf) add_pairs_of_leaf(tree, leaves, leaf, options.touching, parts[b]);
   });
-  std::vector<BoxPair> pairs;
-  for (const auto& part : parts) pairs.insert(pairs.end(), part.begin(), part.end());
-  return pairs;
+  rows.clear();
+  for (const auto& part : parts) rows.insert(rows.end(), part.begin(), part.end());
+  return rows;
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                                      \
-  template std::vector<std::uint32_t> in_box(const SplitTree<F>&, const SplitTree<F>::Box&, const InBoxOptions&); \
-  template std::vector<BoxPair> overlapping_pairs(const SplitTree<F>&, const BoxPairOptions&);
+#define PLUMB_INSTANTIATE(F)                                                                                     \
+  template std::vector<std::uint32_t> in_box(const SplitTree<F>&, const SplitTree<F>::Box&, const InBoxOptions&, \
+                                             std::vector<std::uint32_t>);                                        \
+  template std::vector<BoxPair> overlapping_pairs(const SplitTree<F>&, const BoxPairOptions&, std::vector<BoxPair>);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE
 

@@ -32,10 +32,12 @@ template <class Figure>
 using SplitWalk = PlaneWalk<SplitPlanes<Figure>, SplitTree<Figure>::dimension>;
 
 template <class Figure, class Way>
-std::vector<std::uint32_t> split_cells(const SplitTree<Figure>& tree, const Way& way, KdCells cells) {
+std::vector<std::uint32_t> split_cells(const SplitTree<Figure>& tree, const Way& way, KdCells cells,
+                                       std::vector<std::uint32_t> rows) {
+  rows.clear();
   const auto path = checked_path("cells_along", way);
-  if (tree.nodes.empty()) return {};
-  return SplitWalk<Figure>({tree.nodes}, path, cells).leaves();
+  if (tree.nodes.empty()) return rows;
+  return SplitWalk<Figure>({tree.nodes}, path, cells).leaves(std::move(rows));
 }
 
 /// Is the parameter, which rounds to t, certainly less than that of the place?
@@ -84,13 +86,14 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
 
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree,
-                                       const typename SplitTree<Figure>::Segment& segment, KdCells cells) {
-  return space::kd::split_cells(tree, segment, cells);
+                                       const typename SplitTree<Figure>::Segment& segment, KdCells cells,
+                                       std::vector<std::uint32_t> rows) {
+  return space::kd::split_cells(tree, segment, cells, std::move(rows));
 }
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray,
-                                       KdCells cells) {
-  return space::kd::split_cells(tree, ray, cells);
+                                       KdCells cells, std::vector<std::uint32_t> rows) {
+  return space::kd::split_cells(tree, ray, cells, std::move(rows));
 }
 template <ShotAtFigure Figure>
 std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree,
@@ -102,9 +105,11 @@ std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const 
   return space::kd::first_hit_along(tree, ray);
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                                   \
-  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Segment&, KdCells); \
-  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Ray&, KdCells);
+#define PLUMB_INSTANTIATE(F)                                                                                  \
+  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Segment&, KdCells, \
+                                                  std::vector<std::uint32_t>);                                \
+  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Ray&, KdCells,     \
+                                                  std::vector<std::uint32_t>);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE
 #define PLUMB_INSTANTIATE(F)                                                                         \

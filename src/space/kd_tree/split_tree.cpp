@@ -1,10 +1,9 @@
 #include "plumb/space/kd_tree/split_tree.hpp"
 
-#include <tbb/parallel_invoke.h>
-
 #include <string>
 #include <utility>
 
+#include "certify/batch/all_threads.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/body/figure_input.hpp"
@@ -75,8 +74,9 @@ class SplitBuilder {
     constexpr std::size_t worth_a_task = 4096;
     if (options_.execution == Execution::parallel && items.size() > worth_a_task) {
       SplitPiece piece;
-      tbb::parallel_invoke([&] { build(out, lower, below, depth + 1, for_lower); },
-                           [&] { build(piece, upper, above, depth + 1, for_upper); });
+      certify::batch::for_each_part(Execution::parallel, 2, [&](std::size_t half) {
+        half == 0 ? build(out, lower, below, depth + 1, for_lower) : build(piece, upper, above, depth + 1, for_upper);
+      });
       out.nodes[at].link = static_cast<std::uint32_t>(out.nodes.size());
       out.add(piece);
     } else {

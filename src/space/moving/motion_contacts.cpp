@@ -58,12 +58,14 @@ class GivenMotion {
 }  // namespace
 }  // namespace space
 
-std::vector<MotionContact> contacts_in_motion(const MovingMesh& mesh, const MotionContactOptions& options) {
-  return space::all_contacts("contacts_in_motion", space::GivenMotion(mesh), options);
+std::vector<MotionContact> contacts_in_motion(const MovingMesh& mesh, const MotionContactOptions& options,
+                                              std::vector<MotionContact> rows) {
+  return space::all_contacts("contacts_in_motion", space::GivenMotion(mesh), options, std::move(rows));
 }
 
-std::vector<MotionContact> contacts_by_time(const MovingMesh& mesh, const MotionContactOptions& options) {
-  return space::all_by_time("contacts_by_time", space::GivenMotion(mesh), options);
+std::vector<MotionContact> contacts_by_time(const MovingMesh& mesh, const MotionContactOptions& options,
+                                            std::vector<MotionContact> rows) {
+  return space::all_by_time("contacts_by_time", space::GivenMotion(mesh), options, std::move(rows));
 }
 
 std::optional<MotionContact> first_contact(const MovingMesh& mesh, const MotionContactOptions& options) {

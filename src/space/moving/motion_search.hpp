@@ -127,13 +127,14 @@ inline void require_separation(const char* function, double separation) {
 }
 
 template <class Scene>
-std::vector<MotionContact> all_contacts(const char* function, const Scene& scene, const MotionContactOptions& options) {
+std::vector<MotionContact> all_contacts(const char* function, const Scene& scene, const MotionContactOptions& options,
+                                        std::vector<MotionContact> all) {
   require_separation(function, options.separation);
   std::vector<std::vector<MotionContact>> found;
   MotionSearch(function, scene, options)
       .run([&](std::size_t parts) { found.resize(parts); },
            [&](std::size_t part, const MotionContact& c) { found[part].push_back(c); });
-  std::vector<MotionContact> all;
+  all.clear();
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
   std::sort(all.begin(), all.end(), comes_first);
   return all;
@@ -141,8 +142,9 @@ std::vector<MotionContact> all_contacts(const char* function, const Scene& scene
 
 /// By their exact times: those of equal rounded times are asked for.
 template <class Scene>
-std::vector<MotionContact> all_by_time(const char* function, const Scene& scene, const MotionContactOptions& options) {
-  std::vector<MotionContact> all = all_contacts(function, scene, options);
+std::vector<MotionContact> all_by_time(const char* function, const Scene& scene, const MotionContactOptions& options,
+                                       std::vector<MotionContact> rows) {
+  std::vector<MotionContact> all = all_contacts(function, scene, options, std::move(rows));
   const auto time = [](const MotionContact& c) { return c.contact.time; };
   std::ranges::stable_sort(all, {}, time);
   for (auto from = all.begin(); from != all.end();) {

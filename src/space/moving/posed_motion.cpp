@@ -117,18 +117,22 @@ bool moves_as_given(const char* function, const PosedMovingMesh& mesh, double se
 }  // namespace
 }  // namespace space
 
-std::vector<MotionContact> contacts_in_motion(const PosedMovingMesh& mesh, const MotionContactOptions& options) {
+std::vector<MotionContact> contacts_in_motion(const PosedMovingMesh& mesh, const MotionContactOptions& options,
+                                              std::vector<MotionContact> rows) {
   constexpr const char* function = "contacts_in_motion";
   return space::moves_as_given(function, mesh, options.separation)
-             ? contacts_in_motion(mesh.mesh, options)
-             : space::all_contacts(function, space::MotionBetweenPoses(mesh, options.execution), options);
+             ? contacts_in_motion(mesh.mesh, options, std::move(rows))
+             : space::all_contacts(function, space::MotionBetweenPoses(mesh, options.execution), options,
+                                   std::move(rows));
 }
 
-std::vector<MotionContact> contacts_by_time(const PosedMovingMesh& mesh, const MotionContactOptions& options) {
+std::vector<MotionContact> contacts_by_time(const PosedMovingMesh& mesh, const MotionContactOptions& options,
+                                            std::vector<MotionContact> rows) {
   constexpr const char* function = "contacts_by_time";
   return space::moves_as_given(function, mesh, options.separation)
-             ? contacts_by_time(mesh.mesh, options)
-             : space::all_by_time(function, space::MotionBetweenPoses(mesh, options.execution), options);
+             ? contacts_by_time(mesh.mesh, options, std::move(rows))
+             : space::all_by_time(function, space::MotionBetweenPoses(mesh, options.execution), options,
+                                  std::move(rows));
 }
 
 std::optional<MotionContact> first_contact(const PosedMovingMesh& mesh, const MotionContactOptions& options) {

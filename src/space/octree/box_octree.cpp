@@ -81,8 +81,9 @@ bool begins_in(const BoxOf<D>& cell, const BoxOf<D>& a, const BoxOf<D>& b) {
 }
 
 template <std::size_t D>
-std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& box, const InBoxOptions& options) {
-  std::vector<std::uint32_t> found;
+std::vector<std::uint32_t> found_boxes(const BoxCells<D>& tree, const BoxOf<D>& box, const InBoxOptions& options,
+                                       std::vector<std::uint32_t> found) {
+  found.clear();
   figure::require_finite_parts<decltype(box.min), decltype(box.max)>("in_box", {"box.min", "box.max"}, box.min,
                                                                      box.max);
   if (is_empty(box)) return found;
@@ -140,12 +141,12 @@ std::vector<std::vector<BoxPair>> pairs_in_leaves(const BoxCells<D>& tree, const
 }
 
 template <std::size_t D>
-std::vector<BoxPair> found_pairs(const BoxCells<D>& tree, const BoxPairOptions& options) {
+std::vector<BoxPair> found_pairs(const BoxCells<D>& tree, const BoxPairOptions& options, std::vector<BoxPair> pairs) {
   const std::vector<std::vector<BoxPair>> parts = tree.rule == CellRule::every_leaf ? pairs_in_leaves(tree, options)
                                                   : options.touching
                                                       ? space::CellJoin<D, true>(tree).pairs(options.execution)
                                                       : space::CellJoin<D, false>(tree).pairs(options.execution);
-  std::vector<BoxPair> pairs;
+  pairs.clear();
   std::size_t count = 0;
   for (const auto& part : parts) count += part.size();
   pairs.reserve(count);
@@ -161,17 +162,21 @@ BoxOctree build_octree(std::span<const Aabb3> boxes, const BoxOctreeOptions& opt
 BoxQuadtree build_quadtree(std::span<const Aabb2> boxes, const BoxOctreeOptions& options) {
   return cells_of_boxes<2>("build_quadtree", boxes, options);
 }
-std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box, const InBoxOptions& options) {
-  return found_boxes<3>(tree, box, options);
+std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box, const InBoxOptions& options,
+                                  std::vector<std::uint32_t> rows) {
+  return found_boxes<3>(tree, box, options, std::move(rows));
 }
-std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box, const InBoxOptions& options) {
-  return found_boxes<2>(tree, box, options);
+std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box, const InBoxOptions& options,
+                                  std::vector<std::uint32_t> rows) {
+  return found_boxes<2>(tree, box, options, std::move(rows));
 }
-std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options) {
-  return found_pairs<3>(tree, options);
+std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return found_pairs<3>(tree, options, std::move(rows));
 }
-std::vector<BoxPair> overlapping_pairs(const BoxQuadtree& tree, const BoxPairOptions& options) {
-  return found_pairs<2>(tree, options);
+std::vector<BoxPair> overlapping_pairs(const BoxQuadtree& tree, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return found_pairs<2>(tree, options, std::move(rows));
 }
 
 }  // namespace plumb

@@ -107,8 +107,8 @@ std::uint32_t CellWalker<D>::next() {
 namespace {
 
 template <std::size_t D>
-std::vector<std::uint32_t> all_of(CellWalker<D> walker) {
-  std::vector<std::uint32_t> leaves;
+std::vector<std::uint32_t> all_of(CellWalker<D> walker, std::vector<std::uint32_t> leaves) {
+  leaves.clear();
   for (std::uint32_t leaf = walker.next(); leaf != no_cell; leaf = walker.next()) leaves.push_back(leaf);
   return leaves;
 }
@@ -116,20 +116,23 @@ std::vector<std::uint32_t> all_of(CellWalker<D> walker) {
 }  // namespace
 
 template <std::size_t D>
-std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk) {
-  return all_of(CellWalker<D>(tree, ray, walk));
+std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk,
+                                       std::vector<std::uint32_t> rows) {
+  return all_of(CellWalker<D>(tree, ray, walk), std::move(rows));
 }
 template <std::size_t D>
 std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment,
-                                       CellWalk walk) {
-  return all_of(CellWalker<D>(tree, segment, walk));
+                                       CellWalk walk, std::vector<std::uint32_t> rows) {
+  return all_of(CellWalker<D>(tree, segment, walk), std::move(rows));
 }
 
 template class CellWalker<2>;
 template class CellWalker<3>;
-template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Ray2&, CellWalk);
-template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Ray3&, CellWalk);
-template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Segment2&, CellWalk);
-template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Segment3&, CellWalk);
+template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Ray2&, CellWalk, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Ray3&, CellWalk, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Segment2&, CellWalk,
+                                                   std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Segment3&, CellWalk,
+                                                   std::vector<std::uint32_t>);
 
 }  // namespace plumb

@@ -235,22 +235,23 @@ void LooseCells<D>::visit_cells(const Box& box, const Visit& visit) const {
 }
 
 template <std::size_t D>
-std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box, const InBoxOptions& options) const {
-  std::vector<std::uint32_t> found;
+std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box, const InBoxOptions& options,
+                                                 std::vector<std::uint32_t> rows) const {
+  rows.clear();
   figure::require_finite_parts<decltype(box.min), decltype(box.max)>("LooseOctree::in_box", {"box.min", "box.max"},
                                                                      box.min, box.max);
-  if (is_empty(box)) return found;
+  if (is_empty(box)) return rows;
   visit_cells(box, [&](const Cell& cell) {
     for (std::uint32_t i = cell.first_item; i != none; i = items_[i].behind) {
-      if (space::boxes_meet(box, items_[i].box, options.touching)) found.push_back(i);
+      if (space::boxes_meet(box, items_[i].box, options.touching)) rows.push_back(i);
     }
   });
-  std::sort(found.begin(), found.end());
-  return found;
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 template <std::size_t D>
-std::vector<BoxPair> LooseCells<D>::pairs(const BoxPairOptions& options) const {
+std::vector<BoxPair> LooseCells<D>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
   std::vector<space::SweptBox<Box>> boxes;
   std::vector<int> shifts;
   std::vector<typename CellFrame<D>::Place> places(items_.size());  // of their lowest corners
@@ -261,11 +262,14 @@ std::vector<BoxPair> LooseCells<D>::pairs(const BoxPairOptions& options) const {
     places[i] = frame_.place(items_[i].box.min);
   }
   space::LevelJoin<Box> join(options.execution, boxes, shifts);
-  return join.pairs(options.touching, [&](const space::SweptBox<Box>& b, int shift) {
-    space::RowNumber<D> row;
-    for (std::size_t axis = 1; axis < D; ++axis) row[axis - 1] = places[b.number][axis] >> shift;
-    return row;
-  });
+  return join.pairs(
+      options.touching,
+      [&](const space::SweptBox<Box>& b, int shift) {
+        space::RowNumber<D> row;
+        for (std::size_t axis = 1; axis < D; ++axis) row[axis - 1] = places[b.number][axis] >> shift;
+        return row;
+      },
+      std::move(rows));
 }
 
 template class LooseCells<2>;

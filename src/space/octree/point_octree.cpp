@@ -51,8 +51,8 @@ PointCells<D> cells_of_points(std::string_view function, std::span<const typenam
 
 template <std::size_t D>
 std::vector<std::uint32_t> found_points(const PointCells<D>& tree, const typename CellKinds<D>::Box& asked,
-                                        const InBoxOptions& options) {
-  std::vector<std::uint32_t> found;
+                                        const InBoxOptions& options, std::vector<std::uint32_t> found) {
+  found.clear();
   figure::require_finite_parts<decltype(asked.min), decltype(asked.max)>("in_box", {"box.min", "box.max"}, asked.min,
                                                                          asked.max);
   const typename CellKinds<D>::Box box = options.touching ? asked : space::opened(asked);
@@ -76,11 +76,13 @@ PointOctree build_octree(std::span<const Point3> points, const OctreeOptions& op
 PointQuadtree build_quadtree(std::span<const Point2> points, const OctreeOptions& options) {
   return cells_of_points<2>("build_quadtree", points, options);
 }
-std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box, const InBoxOptions& options) {
-  return found_points<3>(tree, box, options);
+std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box, const InBoxOptions& options,
+                                  std::vector<std::uint32_t> rows) {
+  return found_points<3>(tree, box, options, std::move(rows));
 }
-std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box, const InBoxOptions& options) {
-  return found_points<2>(tree, box, options);
+std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box, const InBoxOptions& options,
+                                  std::vector<std::uint32_t> rows) {
+  return found_points<2>(tree, box, options, std::move(rows));
 }
 
 }  // namespace plumb

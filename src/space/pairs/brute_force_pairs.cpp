@@ -18,9 +18,10 @@ bool is_pair_by_relate(const Box& a, const Box& b, const BoxPairOptions& options
 }
 
 template <class Box>
-std::vector<BoxPair> pairs_of_one(std::span<const Box> boxes, const BoxPairOptions& options) {
+std::vector<BoxPair> pairs_of_one(std::span<const Box> boxes, const BoxPairOptions& options,
+                                  std::vector<BoxPair> pairs) {
   space::check_boxes("brute_force_pairs", "boxes", boxes);
-  std::vector<BoxPair> pairs;
+  pairs.clear();
   for (std::uint32_t a = 0; a < boxes.size(); ++a) {
     for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
       if (is_pair_by_relate(boxes[a], boxes[b], options)) pairs.push_back({a, b});
@@ -30,10 +31,11 @@ std::vector<BoxPair> pairs_of_one(std::span<const Box> boxes, const BoxPairOptio
 }
 
 template <class Box>
-std::vector<BoxPair> pairs_of_two(std::span<const Box> of_a, std::span<const Box> of_b, const BoxPairOptions& options) {
+std::vector<BoxPair> pairs_of_two(std::span<const Box> of_a, std::span<const Box> of_b, const BoxPairOptions& options,
+                                  std::vector<BoxPair> pairs) {
   space::check_boxes("brute_force_pairs", "a", of_a);
   space::check_boxes("brute_force_pairs", "b", of_b);
-  std::vector<BoxPair> pairs;
+  pairs.clear();
   for (std::uint32_t a = 0; a < of_a.size(); ++a) {
     for (std::uint32_t b = 0; b < of_b.size(); ++b) {
       if (is_pair_by_relate(of_a[a], of_b[b], options)) pairs.push_back({a, b});
@@ -44,34 +46,38 @@ std::vector<BoxPair> pairs_of_two(std::span<const Box> of_a, std::span<const Box
 
 }  // namespace
 
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> boxes, const BoxPairOptions& options) {
-  return pairs_of_one(boxes, options);
+std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> boxes, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return pairs_of_one(boxes, options, std::move(rows));
 }
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> boxes, const BoxPairOptions& options) {
-  return pairs_of_one(boxes, options);
+std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> boxes, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return pairs_of_one(boxes, options, std::move(rows));
 }
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> boxes, const BoxPairOptions& options) {
-  return pairs_of_one(boxes, options);
+std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> boxes, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return pairs_of_one(boxes, options, std::move(rows));
 }
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> boxes, const BoxPairOptions& options) {
-  return pairs_of_one(boxes, options);
+std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> boxes, const BoxPairOptions& options,
+                                       std::vector<BoxPair> rows) {
+  return pairs_of_one(boxes, options, std::move(rows));
 }
 
 std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b,
-                                       const BoxPairOptions& options) {
-  return pairs_of_two(a, b, options);
+                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
+  return pairs_of_two(a, b, options, std::move(rows));
 }
 std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b,
-                                       const BoxPairOptions& options) {
-  return pairs_of_two(a, b, options);
+                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
+  return pairs_of_two(a, b, options, std::move(rows));
 }
 std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> b,
-                                       const BoxPairOptions& options) {
-  return pairs_of_two(a, b, options);
+                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
+  return pairs_of_two(a, b, options, std::move(rows));
 }
 std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> a, std::span<const FloatBox3> b,
-                                       const BoxPairOptions& options) {
-  return pairs_of_two(a, b, options);
+                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
+  return pairs_of_two(a, b, options, std::move(rows));
 }
 
 }  // namespace plumb

@@ -13,10 +13,10 @@ namespace {
 
 template <class Mesh>
 std::vector<Intersection3> intersections_of(const Mesh& a, const Mesh& b, std::span<const TrianglePair> pairs,
-                                            const PairOptions& options) {
+                                            const PairOptions& options, std::vector<Intersection3> common) {
   const std::vector<std::uint32_t> slots_a = slots_of(a), slots_b = slots_of(b);
   require_pairs(pairs, slots_a.size(), slots_b.size());
-  std::vector<Intersection3> common(pairs.size());
+  common.clear(), common.resize(pairs.size());
   constexpr std::size_t part_size = 256;
   const std::size_t parts = blocks_of(pairs.size(), part_size);
   for_parts("intersections", options.execution, options.progress, parts, [&](std::size_t part) {
@@ -33,13 +33,15 @@ std::vector<Intersection3> intersections_of(const Mesh& a, const Mesh& b, std::s
 
 // Each question of the mesh's tree in its usual and in its compact form.
 #define PLUMB_MESH_PAIRS(Mesh)                                                                                     \
-  std::vector<TrianglePair> intersecting_pairs(const Mesh& a, const Mesh& b, const PairOptions& options) {         \
+  std::vector<TrianglePair> intersecting_pairs(const Mesh& a, const Mesh& b, const PairOptions& options,           \
+                                               std::vector<TrianglePair> rows) {                                   \
     return space::all_pairs(space::PairSearch("intersecting_pairs", a, b, false, options), a.slots(),              \
-                            options.execution);                                                                    \
+                            options.execution, std::move(rows));                                                   \
   }                                                                                                                \
-  std::vector<TrianglePair> self_intersecting_pairs(const Mesh& mesh, const PairOptions& options) {                \
+  std::vector<TrianglePair> self_intersecting_pairs(const Mesh& mesh, const PairOptions& options,                  \
+                                                    std::vector<TrianglePair> rows) {                              \
     return space::all_pairs(space::PairSearch("self_intersecting_pairs", mesh, mesh, true, options), mesh.slots(), \
-                            options.execution);                                                                    \
+                            options.execution, std::move(rows));                                                   \
   }                                                                                                                \
   PairCount count_intersecting_pairs(const Mesh& a, const Mesh& b, const PairOptions& options) {                   \
     return space::counted_pairs(space::PairSearch("count_intersecting_pairs", a, b, false, options),               \
@@ -56,8 +58,8 @@ std::vector<Intersection3> intersections_of(const Mesh& a, const Mesh& b, std::s
     return space::any_pair(space::PairSearch("any_self_intersecting_pair", mesh, mesh, true, options));            \
   }                                                                                                                \
   std::vector<Intersection3> intersections(const Mesh& a, const Mesh& b, std::span<const TrianglePair> pairs,      \
-                                           const PairOptions& options) {                                           \
-    return space::intersections_of(a, b, pairs, options);                                                          \
+                                           const PairOptions& options, std::vector<Intersection3> rows) {          \
+    return space::intersections_of(a, b, pairs, options, std::move(rows));                                         \
   }
 PLUMB_MESH_PAIRS(Bvh)
 PLUMB_MESH_PAIRS(CompactBvh)

@@ -20,11 +20,12 @@ namespace plumb::space {
 
 /// By a, then b, each once: a triangle may be in several slots.  In linear time where there are many.  The parts are
 /// given up.
-inline std::vector<TrianglePair> in_order(std::vector<std::vector<TrianglePair>> parts, std::size_t triangles_a) {
+inline std::vector<TrianglePair> in_order(std::vector<std::vector<TrianglePair>> parts, std::size_t triangles_a,
+                                          std::vector<TrianglePair> sorted = {}) {
+  sorted.clear();
   const auto before = [](const TrianglePair& p, const TrianglePair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; };
   std::size_t n = 0;
   for (const auto& part : parts) n += part.size();
-  std::vector<TrianglePair> sorted;
   const auto drop_repeated = [&] {
     const auto is_same = [](const TrianglePair& p, const TrianglePair& q) { return p.a == q.a && p.b == q.b; };
     sorted.erase(std::unique(sorted.begin(), sorted.end(), is_same), sorted.end());
@@ -56,7 +57,8 @@ inline std::vector<TrianglePair> in_order(std::vector<std::vector<TrianglePair>>
 
 /// Of a mesh with at most so many triangles.
 template <class Search>
-std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Execution execution) {
+std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Execution execution,
+                                    std::vector<TrianglePair> rows = {}) {
   std::vector<std::vector<TrianglePair>> found;
   search.run(
       execution, [&](std::size_t parts) { found.resize(parts); },
@@ -64,7 +66,7 @@ std::vector<TrianglePair> all_pairs(Search search, std::size_t triangles_a, Exec
         found[part].push_back(pair);
         return Descent::go_on;
       });
-  return in_order(std::move(found), triangles_a);
+  return in_order(std::move(found), triangles_a, std::move(rows));
 }
 
 /// With `are_split` the search may come to one pair several times.

@@ -147,10 +147,10 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::space {
 namespace {
 
-HWY_EXPORT(all_children_met);
-HWY_EXPORT(one_child_met);
-HWY_EXPORT(complete_lanes);
-HWY_EXPORT(near_lanes);
+PLUMB_EXPORT(all_children_met);
+PLUMB_EXPORT(one_child_met);
+PLUMB_EXPORT(complete_lanes);
+PLUMB_EXPORT(near_lanes);
 
 /// Of volumes of any three differences between triangles of both; infinite or not a number where an intermediate
 /// number may not be finite.

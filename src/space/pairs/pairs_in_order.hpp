@@ -14,10 +14,11 @@
 namespace plumb::space {
 
 /// Of numbers below `numbers`; the parts are given up.
-inline std::vector<BoxPair> pairs_in_order(std::vector<std::vector<BoxPair>>& parts, std::size_t numbers) {
+inline std::vector<BoxPair> pairs_in_order(std::vector<std::vector<BoxPair>>& parts, std::size_t numbers,
+                                           std::vector<BoxPair> pairs = {}) {
+  pairs.clear();
   std::size_t count = 0;
   for (const auto& part : parts) count += part.size();
-  std::vector<BoxPair> pairs;
   if (count < numbers / 8) {
     pairs.reserve(count);
     for (const auto& part : parts) pairs.insert(pairs.end(), part.begin(), part.end());
@@ -33,13 +34,13 @@ inline std::vector<BoxPair> pairs_in_order(std::vector<std::vector<BoxPair>>& pa
     std::size_t before = 0;
     for (std::size_t& b : begin) before += std::exchange(b, before);
   };
-  pairs.resize(count);
+  std::vector<BoxPair> by_b(count);
   begin_by([](const BoxPair& p) { return p.b; }, parts);
   for (auto& part : parts) {
-    for (const BoxPair& p : part) pairs[begin[p.b]++] = p;
+    for (const BoxPair& p : part) by_b[begin[p.b]++] = p;
     part = {};
   }
-  parts.assign(1, std::move(pairs));
+  parts.assign(1, std::move(by_b));
   pairs.resize(count);
   begin_by([](const BoxPair& p) { return p.a; }, parts);
   for (const BoxPair& p : parts[0]) pairs[begin[p.a]++] = p;

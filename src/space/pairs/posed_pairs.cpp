@@ -14,12 +14,13 @@ namespace {
 
 template <class Mesh>
 std::vector<Intersection3> posed_intersections(const PosedMeshOf<Mesh>& a, const PosedMeshOf<Mesh>& b,
-                                               std::span<const TrianglePair> pairs, const PairOptions& options) {
+                                               std::span<const TrianglePair> pairs, const PairOptions& options,
+                                               std::vector<Intersection3> common) {
   require_pose("intersections", "a", a.pose);
   require_pose("intersections", "b", b.pose);
   const std::vector<std::uint32_t> slots_a = slots_of(a.bvh), slots_b = slots_of(b.bvh);
   require_pairs(pairs, slots_a.size(), slots_b.size());
-  std::vector<Intersection3> common(pairs.size());
+  common.clear(), common.resize(pairs.size());
   constexpr std::size_t part_size = 16;
   const std::size_t parts = blocks_of(pairs.size(), part_size);
   for_parts("intersections", options.execution, options.progress, parts, [&](std::size_t part) {
@@ -35,19 +36,21 @@ std::vector<Intersection3> posed_intersections(const PosedMeshOf<Mesh>& a, const
 
 // Each question of the mesh's tree in its usual and in its compact form.
 #define PLUMB_POSED_PAIRS(Mesh)                                                                                  \
-  std::vector<TrianglePair> intersecting_pairs(const Mesh& a, const Mesh& b, const PairOptions& options) {       \
+  std::vector<TrianglePair> intersecting_pairs(const Mesh& a, const Mesh& b, const PairOptions& options,         \
+                                               std::vector<TrianglePair> rows) {                                 \
     constexpr const char* function = "intersecting_pairs";                                                       \
     return space::are_moved_alike(function, a, b)                                                                \
-               ? intersecting_pairs(a.bvh, b.bvh, options)                                                       \
+               ? intersecting_pairs(a.bvh, b.bvh, options, std::move(rows))                                      \
                : space::all_pairs(space::PosedPairSearch(function, a, b, false, options), a.bvh.slots(),         \
-                                  options.execution);                                                            \
+                                  options.execution, std::move(rows));                                           \
   }                                                                                                              \
-  std::vector<TrianglePair> self_intersecting_pairs(const Mesh& mesh, const PairOptions& options) {              \
+  std::vector<TrianglePair> self_intersecting_pairs(const Mesh& mesh, const PairOptions& options,                \
+                                                    std::vector<TrianglePair> rows) {                            \
     constexpr const char* function = "self_intersecting_pairs";                                                  \
     return space::is_moved_regularly(function, mesh)                                                             \
-               ? self_intersecting_pairs(mesh.bvh, options)                                                      \
+               ? self_intersecting_pairs(mesh.bvh, options, std::move(rows))                                     \
                : space::all_pairs(space::PosedPairSearch(function, mesh, mesh, true, options), mesh.bvh.slots(), \
-                                  options.execution);                                                            \
+                                  options.execution, std::move(rows));                                           \
   }                                                                                                              \
   PairCount count_intersecting_pairs(const Mesh& a, const Mesh& b, const PairOptions& options) {                 \
     constexpr const char* function = "count_intersecting_pairs";                                                 \
@@ -76,8 +79,8 @@ std::vector<Intersection3> posed_intersections(const PosedMeshOf<Mesh>& a, const
                : space::any_pair(space::PosedPairSearch(function, mesh, mesh, true, options));                   \
   }                                                                                                              \
   std::vector<Intersection3> intersections(const Mesh& a, const Mesh& b, std::span<const TrianglePair> pairs,    \
-                                           const PairOptions& options) {                                         \
-    return space::posed_intersections(a, b, pairs, options);                                                     \
+                                           const PairOptions& options, std::vector<Intersection3> rows) {        \
+    return space::posed_intersections(a, b, pairs, options, std::move(rows));                                    \
   }
 PLUMB_POSED_PAIRS(PosedMesh)
 PLUMB_POSED_PAIRS(PosedCompactMesh)

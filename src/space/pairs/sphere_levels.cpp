@@ -61,8 +61,8 @@ std::uint32_t last_level(const SphereTree& tree) { return tree.levels() - 1; }
 
 /// By their numbers in the levels.
 std::vector<SpherePair> in_levels(const SphereTree& a, std::uint32_t level_a, const SphereTree& b,
-                                  std::uint32_t level_b, const std::vector<SphereNodePair>& nodes) {
-  std::vector<SpherePair> pairs;
+                                  std::uint32_t level_b, const std::vector<SphereNodePair>& nodes,
+                                  std::vector<SpherePair> pairs = {}) {
   for (const auto [i, k] : nodes) pairs.push_back({i - a.begin_of_level[level_a], k - b.begin_of_level[level_b]});
   std::ranges::sort(pairs, {}, [](const SpherePair& p) { return std::pair{p.a, p.b}; });
   return pairs;
@@ -97,15 +97,16 @@ BoundedPair bounded(const SphereTree& a, const SphereTree& b, SphereNodePair p) 
 }  // namespace space
 
 std::vector<SpherePair> meeting_spheres(const SphereTree& a, std::uint32_t level_a, const SphereTree& b,
-                                        std::uint32_t level_b) {
-  if (a.nodes.empty() || b.nodes.empty()) return {};
+                                        std::uint32_t level_b, std::vector<SpherePair> rows) {
+  rows.clear();
+  if (a.nodes.empty() || b.nodes.empty()) return rows;
   level_a = std::min(level_a, space::last_level(a)), level_b = std::min(level_b, space::last_level(b));
   std::vector<space::SphereNodePair> now;
   if (space::spheres_of(a, b, {0, 0})) now.push_back({0, 0});
   for (std::uint32_t k = 0; k < std::max(level_a, level_b) && !now.empty(); ++k) {
     now = space::next_level(a, k < level_a, b, k < level_b, now);
   }
-  return space::in_levels(a, level_a, b, level_b, now);
+  return space::in_levels(a, level_a, b, level_b, now, std::move(rows));
 }
 
 bool spheres_meet(const SphereTree& a, std::uint32_t level_a, const SphereTree& b, std::uint32_t level_b) {

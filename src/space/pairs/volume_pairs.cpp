@@ -139,9 +139,9 @@ PairWork counted_work(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b) 
 
 template <class Volume>
 std::vector<TrianglePair> intersecting_pairs(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b,
-                                             const PairOptions& options) {
+                                             const PairOptions& options, std::vector<TrianglePair> rows) {
   return space::all_pairs(space::VolumePairSearch("intersecting_pairs", a, b, options), a.mesh.bvh.triangles.size(),
-                          options.execution);
+                          options.execution, std::move(rows));
 }
 
 template <class Volume>
@@ -157,7 +157,7 @@ PairWork pair_work(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b) {
 
 #define PLUMB_PAIRS_OF(Volume)                                                                                     \
   template std::vector<TrianglePair> intersecting_pairs(const VolumeMesh<Volume>&, const VolumeMesh<Volume>&,      \
-                                                        const PairOptions&);                                       \
+                                                        const PairOptions&, std::vector<TrianglePair>);            \
   template std::optional<TrianglePair> any_intersecting_pair(const VolumeMesh<Volume>&, const VolumeMesh<Volume>&, \
                                                              const PairOptions&);                                  \
   template PairWork pair_work(const VolumeMesh<Volume>&, const VolumeMesh<Volume>&);

@@ -26,9 +26,10 @@ bool may_meet_posed(const Aabb3& box, const Shape& shape) {
 }
 
 template <class Mesh, class Shape>
-std::vector<std::uint32_t> posed_found(const PosedMeshOf<Mesh>& mesh, const Shape& shape) {
+std::vector<std::uint32_t> posed_found(const PosedMeshOf<Mesh>& mesh, const Shape& shape,
+                                       std::vector<std::uint32_t> items) {
+  items.clear();
   (void)intersects(Aabb3{{0, 0, 0}, {0, 0, 0}}, shape);  // throws where the numbers are no shape
-  std::vector<std::uint32_t> items;
   descend(
       mesh.bvh.tree, [&](const BoxNode& node) { return may_meet_posed(around(mesh, node), shape); },
       [&](std::uint32_t first, std::uint32_t count) {
@@ -45,15 +46,15 @@ std::vector<std::uint32_t> posed_found(const PosedMeshOf<Mesh>& mesh, const Shap
 
 template <class Mesh, class Shape>
 std::vector<std::vector<std::uint32_t>> posed_found_of_each(const PosedMeshOf<Mesh>& mesh,
-                                                            std::span<const Shape> shapes,
-                                                            const RangeOptions& options) {
+                                                            std::span<const Shape> shapes, const RangeOptions& options,
+                                                            std::vector<std::vector<std::uint32_t>> all) {
   require_pose("triangles_meeting", "mesh", mesh.pose);
-  std::vector<std::vector<std::uint32_t>> all(shapes.size());
+  all.resize(shapes.size());
   constexpr std::size_t part_size = 4;
   const std::size_t parts = blocks_of(shapes.size(), part_size);
   for_parts("triangles_meeting", options.execution, options.progress, parts, [&](std::size_t part) {
     const std::size_t to = std::min(shapes.size(), (part + 1) * part_size);
-    for (std::size_t i = part * part_size; i < to; ++i) all[i] = posed_found(mesh, shapes[i]);
+    for (std::size_t i = part * part_size; i < to; ++i) all[i] = posed_found(mesh, shapes[i], std::move(all[i]));
   });
   return all;
 }
@@ -62,31 +63,35 @@ std::vector<std::vector<std::uint32_t>> posed_found_of_each(const PosedMeshOf<Me
 }  // namespace space
 
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const PosedMesh& mesh, const Shape& shape) {
+std::vector<std::uint32_t> triangles_meeting(const PosedMesh& mesh, const Shape& shape,
+                                             std::vector<std::uint32_t> rows) {
   space::require_pose("triangles_meeting", "mesh", mesh.pose);
-  return space::posed_found(mesh, shape);
+  return space::posed_found(mesh, shape, std::move(rows));
 }
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const PosedCompactMesh& mesh, const Shape& shape) {
+std::vector<std::uint32_t> triangles_meeting(const PosedCompactMesh& mesh, const Shape& shape,
+                                             std::vector<std::uint32_t> rows) {
   space::require_pose("triangles_meeting", "mesh", mesh.pose);
-  return space::posed_found(mesh, shape);
+  return space::posed_found(mesh, shape, std::move(rows));
 }
 
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedMesh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options) {
-  return space::posed_found_of_each(mesh, shapes, options);
+                                                          const RangeOptions& options,
+                                                          std::vector<std::vector<std::uint32_t>> rows) {
+  return space::posed_found_of_each(mesh, shapes, options, std::move(rows));
 }
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedCompactMesh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options) {
-  return space::posed_found_of_each(mesh, shapes, options);
+                                                          const RangeOptions& options,
+                                                          std::vector<std::vector<std::uint32_t>> rows) {
+  return space::posed_found_of_each(mesh, shapes, options, std::move(rows));
 }
 
-#define PLUMB_POSED_RANGE_MESH(Mesh, Shape)                                                               \
-  template std::vector<std::uint32_t> triangles_meeting(const Mesh&, const Shape&);                       \
-  template std::vector<std::vector<std::uint32_t>> triangles_meeting(const Mesh&, std::span<const Shape>, \
-                                                                     const RangeOptions&);
+#define PLUMB_POSED_RANGE_MESH(Mesh, Shape)                                                                     \
+  template std::vector<std::uint32_t> triangles_meeting(const Mesh&, const Shape&, std::vector<std::uint32_t>); \
+  template std::vector<std::vector<std::uint32_t>> triangles_meeting(                                           \
+      const Mesh&, std::span<const Shape>, const RangeOptions&, std::vector<std::vector<std::uint32_t>>);
 #define PLUMB_POSED_RANGE_SHAPE(Shape) \
   PLUMB_POSED_RANGE_MESH(PosedMesh, Shape) PLUMB_POSED_RANGE_MESH(PosedCompactMesh, Shape)
 PLUMB_POSED_RANGE_SHAPE(Aabb3)

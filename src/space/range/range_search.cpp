@@ -14,9 +14,9 @@ namespace space {
 namespace {
 
 template <class Mesh, class Shape>
-std::vector<std::uint32_t> found(const Mesh& mesh, const Shape& shape) {
+std::vector<std::uint32_t> found(const Mesh& mesh, const Shape& shape, std::vector<std::uint32_t> items) {
+  items.clear();
   (void)intersects(Aabb3{{0, 0, 0}, {0, 0, 0}}, shape);  // throws where the numbers are no shape
-  std::vector<std::uint32_t> items;
   const SlotTriangles triangles(mesh);
   descend(mesh.tree, node_may_meet(mesh.tree.frame, shape), [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
@@ -32,13 +32,14 @@ std::vector<std::uint32_t> found(const Mesh& mesh, const Shape& shape) {
 
 template <class Mesh, class Shape>
 std::vector<std::vector<std::uint32_t>> found_of_each(const Mesh& mesh, std::span<const Shape> shapes,
-                                                      const RangeOptions& options) {
-  std::vector<std::vector<std::uint32_t>> all(shapes.size());
+                                                      const RangeOptions& options,
+                                                      std::vector<std::vector<std::uint32_t>> all) {
+  all.resize(shapes.size());
   constexpr std::size_t part_size = 8;
   const std::size_t parts = blocks_of(shapes.size(), part_size);
   for_parts("triangles_meeting", options.execution, options.progress, parts, [&](std::size_t part) {
     const std::size_t to = std::min(shapes.size(), (part + 1) * part_size);
-    for (std::size_t i = part * part_size; i < to; ++i) all[i] = found(mesh, shapes[i]);
+    for (std::size_t i = part * part_size; i < to; ++i) all[i] = found(mesh, shapes[i], std::move(all[i]));
   });
   return all;
 }
@@ -47,29 +48,32 @@ std::vector<std::vector<std::uint32_t>> found_of_each(const Mesh& mesh, std::spa
 }  // namespace space
 
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const Bvh& mesh, const Shape& shape) {
-  return space::found(mesh, shape);
+std::vector<std::uint32_t> triangles_meeting(const Bvh& mesh, const Shape& shape, std::vector<std::uint32_t> rows) {
+  return space::found(mesh, shape, std::move(rows));
 }
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const CompactBvh& mesh, const Shape& shape) {
-  return space::found(mesh, shape);
+std::vector<std::uint32_t> triangles_meeting(const CompactBvh& mesh, const Shape& shape,
+                                             std::vector<std::uint32_t> rows) {
+  return space::found(mesh, shape, std::move(rows));
 }
 
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options) {
-  return space::found_of_each(mesh, shapes, options);
+                                                          const RangeOptions& options,
+                                                          std::vector<std::vector<std::uint32_t>> rows) {
+  return space::found_of_each(mesh, shapes, options, std::move(rows));
 }
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const CompactBvh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options) {
-  return space::found_of_each(mesh, shapes, options);
+                                                          const RangeOptions& options,
+                                                          std::vector<std::vector<std::uint32_t>> rows) {
+  return space::found_of_each(mesh, shapes, options, std::move(rows));
 }
 
-#define PLUMB_RANGE_MESH(Mesh, Shape)                                                                     \
-  template std::vector<std::uint32_t> triangles_meeting(const Mesh&, const Shape&);                       \
-  template std::vector<std::vector<std::uint32_t>> triangles_meeting(const Mesh&, std::span<const Shape>, \
-                                                                     const RangeOptions&);
+#define PLUMB_RANGE_MESH(Mesh, Shape)                                                                           \
+  template std::vector<std::uint32_t> triangles_meeting(const Mesh&, const Shape&, std::vector<std::uint32_t>); \
+  template std::vector<std::vector<std::uint32_t>> triangles_meeting(                                           \
+      const Mesh&, std::span<const Shape>, const RangeOptions&, std::vector<std::vector<std::uint32_t>>);
 #define PLUMB_RANGE_SHAPE(Shape) PLUMB_RANGE_MESH(Bvh, Shape) PLUMB_RANGE_MESH(CompactBvh, Shape)
 PLUMB_RANGE_SHAPE(Aabb3)
 PLUMB_RANGE_SHAPE(Obb3)

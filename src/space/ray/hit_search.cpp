@@ -88,9 +88,9 @@ double OrderedHits::visit(std::uint32_t slot, bool certain, double least, double
   if (const auto hit = between(slot, certain, least, most)) all_.push_back(*hit);
   return limit_;
 }
-std::vector<NumberedHit> OrderedHits::in_order() {
+std::vector<NumberedHit> OrderedHits::in_order(std::vector<NumberedHit> hits) {
+  hits.clear();
   std::sort(all_.begin(), all_.end(), [&](const SlotHit& a, const SlotHit& b) { return is_before(a, b); });
-  std::vector<NumberedHit> hits;
   for (const SlotHit& hit : all_) {  // an item may be in several slots
     if (hits.empty() || hits.back().index != number(hit.slot)) hits.push_back(numbered(hit.slot));
   }

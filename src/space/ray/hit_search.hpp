@@ -128,7 +128,7 @@ class OrderedHits final : public HitSearch {
  public:
   using HitSearch::HitSearch;
   double visit(std::uint32_t slot, bool certain, double least, double most) override;
-  [[nodiscard]] std::vector<NumberedHit> in_order();
+  [[nodiscard]] std::vector<NumberedHit> in_order(std::vector<NumberedHit> hits = {});
 
  private:
   std::vector<SlotHit> all_;

@@ -10,24 +10,12 @@
 #include "query/ray/crossings.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/bvh/equal_lengths.hpp"
+#include "space/ray/along_x.hpp"
 
 namespace plumb {
 namespace {
 
 constexpr std::size_t points_of_block = 256;
-
-/// The boxes that the ray from p along x meets; p rounded both ways, as boxes are.
-struct AlongX {
-  std::array<float, 3> below, above;
-
-  AlongX(const BoxFrame& frame, const Point3& p)
-      : below{frame.below(p.x), frame.below(p.y), frame.below(p.z)},
-        above{frame.above(p.x), frame.above(p.y), frame.above(p.z)} {}
-  bool operator()(const BoxNode& node) const {
-    return below[0] <= node.max[0] && node.min[1] <= above[1] && below[1] <= node.max[1] && node.min[2] <= above[2] &&
-           below[2] <= node.max[2];
-  }
-};
 
 /// A triangle that is crossed, and which way.
 struct CrossedItem {
@@ -41,15 +29,15 @@ template <class Mesh>
 std::optional<query::Crossings> tree_crossings(std::string_view function, const Mesh& bvh, const Point3& p) {
   query::require_figure(function, "p", p);
   std::vector<CrossedItem> crossed;
-  const bool on_one = descend(bvh.tree, AlongX(bvh.tree.frame, p), [&](std::uint32_t first, std::uint32_t count) {
-                        for (std::uint32_t slot = first; slot < first + count; ++slot) {
-                          query::Crossings one;
-                          if (!one.take(bvh.triangle(slot), p)) return Descent::stop;
-                          if (one.count != 0)
-                            crossed.push_back({bvh.number(slot), static_cast<std::int32_t>(one.outward)});
-                        }
-                        return Descent::go_on;
-                      }) == Descent::stop;
+  const bool on_one =
+      descend(bvh.tree, space::AlongX(bvh.tree.frame, p), [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t slot = first; slot < first + count; ++slot) {
+          query::Crossings one;
+          if (!one.take(bvh.triangle(slot), p)) return Descent::stop;
+          if (one.count != 0) crossed.push_back({bvh.number(slot), static_cast<std::int32_t>(one.outward)});
+        }
+        return Descent::go_on;
+      }) == Descent::stop;
   if (on_one) return {};
   std::sort(crossed.begin(), crossed.end());
   crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());

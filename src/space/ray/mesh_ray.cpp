@@ -131,8 +131,10 @@ constexpr auto count_of = [](CountedHits& s) { return s.count(); };
   bool hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                                    \
     return searched<AnyHit>("hits", ray, mesh, rule, is_found);                                                     \
   }                                                                                                                 \
-  std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                        \
-    return searched<OrderedHits>("ordered_hits", ray, mesh, rule, all_of);                                          \
+  std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule,                          \
+                                        std::vector<NumberedHit> rows) {                                            \
+    return searched<OrderedHits>("ordered_hits", ray, mesh, rule,                                                   \
+                                 [&](OrderedHits& s) { return s.in_order(std::move(rows)); });                      \
   }                                                                                                                 \
   std::size_t count_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                       \
     return searched<CountedHits>("count_hits", ray, mesh, rule, count_of);                                          \

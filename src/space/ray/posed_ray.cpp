@@ -240,8 +240,11 @@ void shoot_all(const char* function, std::span<const AnyRay> rays, const PosedMe
   bool hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                                    \
     return space::shoot<space::AsksAny>("hits", ray, mesh, rule);                                                   \
   }                                                                                                                 \
-  std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                        \
-    return space::shoot<space::AsksAll>("ordered_hits", ray, mesh, rule);                                           \
+  std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule,                          \
+                                        std::vector<NumberedHit> rows) {                                            \
+    const std::vector<NumberedHit> hits = space::shoot<space::AsksAll>("ordered_hits", ray, mesh, rule);            \
+    rows.assign(hits.begin(), hits.end());                                                                          \
+    return rows;                                                                                                    \
   }                                                                                                                 \
   std::size_t count_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                       \
     return space::shoot<space::AsksCount>("count_hits", ray, mesh, rule);                                           \

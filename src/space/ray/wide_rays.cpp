@@ -80,10 +80,10 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::space {
 namespace {
 
-HWY_EXPORT(visit_wide);
-HWY_EXPORT(visit_compact);
-HWY_EXPORT(visit_wide_packets);
-HWY_EXPORT(visit_compact_packets);
+PLUMB_EXPORT(visit_wide);
+PLUMB_EXPORT(visit_compact);
+PLUMB_EXPORT(visit_wide_packets);
+PLUMB_EXPORT(visit_compact_packets);
 
 }  // namespace
 

@@ -15,7 +15,9 @@ space::SetBounds checked_bounds(const char* function, std::span<const Box> boxes
 }
 
 template <class Box>
-std::vector<BoxPair> swept_pairs(std::span<const Box> boxes, const SortAndSweepOptions& options) {
+std::vector<BoxPair> swept_pairs(std::span<const Box> boxes, const SortAndSweepOptions& options,
+                                 std::vector<BoxPair> pairs) {
+  pairs.clear();
   if (space::is_planar<Box> && options.axis == SweepAxis::z) {
     throw InvalidShape("sort_and_sweep_pairs: options.axis is z, which boxes in the plane do not have");
   }
@@ -23,7 +25,6 @@ std::vector<BoxPair> swept_pairs(std::span<const Box> boxes, const SortAndSweepO
   const space::BoxSet<Box> set{boxes, {}, options.touching};
   const std::size_t axis = options.axis == SweepAxis::greatest_variance ? space::widest_axis(set, bounds)
                                                                         : static_cast<std::size_t>(options.axis);
-  std::vector<BoxPair> pairs;
   space::find_by_sweep(options.execution, set, bounds, axis,
                        {&pairs, [](void* to, std::span<const BoxPair> block, double) {
                           auto& kept = *static_cast<std::vector<BoxPair>*>(to);
@@ -40,17 +41,21 @@ SweepAxis axis_of(std::span<const Box> boxes) {
 
 }  // namespace
 
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb2> boxes, const SortAndSweepOptions& options) {
-  return swept_pairs(boxes, options);
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb2> boxes, const SortAndSweepOptions& options,
+                                          std::vector<BoxPair> rows) {
+  return swept_pairs(boxes, options, std::move(rows));
 }
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb3> boxes, const SortAndSweepOptions& options) {
-  return swept_pairs(boxes, options);
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb3> boxes, const SortAndSweepOptions& options,
+                                          std::vector<BoxPair> rows) {
+  return swept_pairs(boxes, options, std::move(rows));
 }
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox2> boxes, const SortAndSweepOptions& options) {
-  return swept_pairs(boxes, options);
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox2> boxes, const SortAndSweepOptions& options,
+                                          std::vector<BoxPair> rows) {
+  return swept_pairs(boxes, options, std::move(rows));
 }
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox3> boxes, const SortAndSweepOptions& options) {
-  return swept_pairs(boxes, options);
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox3> boxes, const SortAndSweepOptions& options,
+                                          std::vector<BoxPair> rows) {
+  return swept_pairs(boxes, options, std::move(rows));
 }
 
 SweepAxis axis_of_greatest_variance(std::span<const Aabb2> boxes) { return axis_of(boxes); }

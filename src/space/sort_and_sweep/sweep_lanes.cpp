@@ -77,7 +77,7 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::space {
 namespace {
 
-HWY_EXPORT(sweep_boxes);
+PLUMB_EXPORT(sweep_boxes);
 
 }  // namespace
 

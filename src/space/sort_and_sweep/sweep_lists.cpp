@@ -192,15 +192,15 @@ bool SweepLists::contains(std::uint32_t number) const {
 std::size_t SweepLists::size() const { return state_->size; }
 std::size_t SweepLists::steps() const { return state_->steps; }
 
-std::vector<BoxPair> SweepLists::pairs() const {
+std::vector<BoxPair> SweepLists::pairs(std::vector<BoxPair> rows) const {
   const State& s = *state_;
-  std::vector<BoxPair> pairs;
+  rows.clear();
   for (const std::uint64_t key : s.overlapping) {
     const auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
-    if (space::boxes_meet(s.boxes[a], s.boxes[b], s.options.touching)) pairs.push_back({a, b});
+    if (space::boxes_meet(s.boxes[a], s.boxes[b], s.options.touching)) rows.push_back({a, b});
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 }  // namespace plumb

@@ -11,7 +11,7 @@ Command bvh_command(CLI::App& program) {
   for (const BvhMethod method : bvh_methods) methods.push_back(word_of(method));
   methods.emplace_back("all");
   parser->add_option("MESH", o.meshes.words, "The mesh file; '-' is standard input.");
-  add_unpacked(parser, o.meshes.unpacked_mib);
+  add_reading(parser, o.meshes);
   parser->add_option("--method", o.method, "Build the tree this way; 'all' compares all of them.")
       ->check(CLI::IsMember(methods))
       ->capture_default_str()

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/surface/triangulate.hpp"
 #include "plumb/surface/write_mesh.hpp"
 #include "tool/check/report.hpp"
@@ -11,7 +12,6 @@
 #include "tool/mesh/inputs.hpp"
 #include "tool/mesh/sample_part.hpp"
 #include "tool/terminal/output_files.hpp"
-#include "tool/terminal/thread_limit.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 /// Checks a mesh; of what is found each part is said as soon as it is known, where text is wanted.
 class Checker {
  public:
-  Checker(const CheckSettings& settings, bool says) : settings_(settings), says_(says) {}
+  Checker(const CheckSettings& settings, bool says, bool brief) : settings_(settings), says_(says), brief_(brief) {}
 
   void check(InputMesh input) {
     MeshCheck check;
@@ -34,17 +34,28 @@ class Checker {
     check.name = "embedded flange";
     take(sample_part(), std::move(check));
   }
+  void refuse(UnreadMesh mesh) {
+    if (says_ && brief_) say(text_brief(mesh));
+    unread_.push_back(std::move(mesh));
+  }
   void say_total() const {
-    if (!says_ || checks_.size() < 2) return;
+    if (!says_ || brief_) return;
+    if (!unread_.empty() && !checks_.empty()) say("\n" + text_unread(unread_));
+    if (checks_.size() < 2) return;
     say("\n");
     say(text_total(checks_, style_));
   }
   [[nodiscard]] const std::vector<MeshCheck>& checks() const { return checks_; }
+  [[nodiscard]] const std::vector<UnreadMesh>& unread() const { return unread_; }
 
  private:
   void take(const TriangleMesh& mesh, MeshCheck check) {
     check_mesh(mesh, settings_, check, [&](CheckStep step) {
       if (!says_) return;
+      if (brief_) {
+        if (step == CheckStep::mesh) say(text_brief(check)), flush_output();
+        return;
+      }
       if (step == CheckStep::mesh) {
         if (!checks_.empty()) say("\n");
         say(text_opening(check, style_));
@@ -57,9 +68,10 @@ class Checker {
   }
 
   const CheckSettings settings_;
-  const bool says_;
+  const bool says_, brief_;
   const Style style_{stdout};
   std::vector<MeshCheck> checks_;
+  std::vector<UnreadMesh> unread_;
 };
 
 bool any_wrong(const std::vector<MeshCheck>& checks, const std::vector<std::string>& methods) {
@@ -80,6 +92,8 @@ bool any_defect(const std::vector<MeshCheck>& checks, const std::vector<std::str
 }  // namespace
 
 int run_check(const CheckOptions& options) {
+  if (!options.nearer_than && std::ranges::count(options.fail_on_defect, "close-vertices") != 0)
+    throw Error("--fail-on-defect close-vertices needs a length; give it by '--nearer-than LENGTH'");
   const MeshInputs inputs = mesh_inputs(options.meshes);
   OutputFiles outputs(inputs.files);
   outputs.promise("--json", options.json);
@@ -97,26 +111,38 @@ int run_check(const CheckOptions& options) {
   CheckSettings settings;
   settings.verify = options.verify;
   settings.all = options.all;
-  Checker checker(settings, !outputs.on_standard_output());
+  settings.nearer_than = options.nearer_than;
+  settings.decisions =
+      !options.brief || options.json || options.chart || !options.fail_on_wrong.empty() || options.verify;
+  Checker checker(settings, !outputs.on_standard_output(), options.brief);
   if (options.meshes.words.empty()) checker.check_sample();
-  if (!outputs.on_standard_output())
+  if (!outputs.on_standard_output() && !options.brief)
     for (const std::string& remark : inputs.remarks) say(remark);
-  const bool all_good = each_mesh(inputs, options.meshes.reading(), [&](InputMesh input) {
-    outputs.require_not_read(input.load.files_beside);
-    checker.check(std::move(input));
-  });
+  const bool all_good = each_mesh(
+      inputs, options.meshes.reading(),
+      [&](InputMesh input) {
+        outputs.require_not_read(input.load.files_beside);
+        checker.check(std::move(input));
+      },
+      [&](UnreadMesh mesh) { checker.refuse(std::move(mesh)); });
   checker.say_total();
   const std::vector<MeshCheck>& checks = checker.checks();
   if (options.json) {
     // A file's name may be any bytes; JSON is UTF-8.
-    const std::string text = json_report(checks, inputs.passed_over, limit.threads())
+    const std::string text = json_report(checks, {inputs.passed_over, checker.unread()}, limit.threads())
                                  .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     outputs.write("--json", text + "\n");
   }
   if (options.chart) outputs.write("--chart", chart_svg(checks));
+  const bool fails = any_wrong(checks, options.fail_on_wrong) || any_defect(checks, options.fail_on_defect);
+  // What was named is to be read; what a folder holds is reported on.
+  const bool named_one = std::ranges::any_of(checker.unread(), [&](const UnreadMesh& mesh) {
+    return std::ranges::any_of(options.meshes.words,
+                               [&](const std::string& word) { return name_of_input(word) == mesh.name; });
+  });
+  if (!named_one) outputs.keep();
   if (!all_good) return 2;
-  outputs.keep();
-  return any_wrong(checks, options.fail_on_wrong) || any_defect(checks, options.fail_on_defect) ? 1 : 0;
+  return fails ? 1 : 0;
 }
 
 }  // namespace plumb::tool

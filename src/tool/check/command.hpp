@@ -1,7 +1,8 @@
 // `plumb check`: are these meshes surfaces of solids, and how often is floating point wrong on them, and where?
 //
 // Laws: exit code 0 when done, 1 when a method named by --fail-on-wrong took a wrong sign or a mesh has a defect
-// named by --fail-on-defect; bad input throws Error.
+// named by --fail-on-defect; bad input throws Error.  Meshes of a folder that cannot be read are in the report, which is
+// kept, and the code is 2; of a file that was named and cannot be read nothing is kept.
 // Source: RTCD 11.2 (what rounding does to geometric decisions).
 // Cost: as the meshes demand, on all cores.
 #pragma once
@@ -41,6 +42,8 @@ struct CheckOptions {
   unsigned threads = 0;                     // 0: as many as the machine has
   bool verify = false;                      // take every decision in rationals again
   bool all = false;                         // ask the inexact methods of every decision
+  bool brief = false;                       // a line for each mesh
+  std::optional<double> nearer_than;        // vertices nearer than this are close
   std::vector<std::string> fail_on_wrong;   // methods
   std::vector<std::string> fail_on_defect;  // of surface_defects
 };

@@ -9,23 +9,25 @@ Manual check_manual() {
           {{"DESCRIPTION", R"(
 Reads each MESH (OBJ, OFF, STL, PLY, 3MF, glTF; text or binary; also
 packed by gzip), every mesh in a folder and the folders in it, or
-standard input where MESH is '-'. Of each it opens with a verdict in
-four lines: what surface the mesh is, what is wrong with it, which
-methods then take which signs wrong, and what to do about both. Each
-line is printed as soon as it is known. The tables follow: the mesh's
-size, its lattice (the largest power of two that divides every
-coordinate, and how many bits the coordinates then take), repeated
-vertices, triangles of exactly zero area and non-manifold edges, then
-the decisions.
+standard input where MESH is '-'. Text that has no meaning in a mesh's
+format is passed over and told; --strict refuses it, and --lenient
+reads files that break their format a little.
+
+Of each it opens with a verdict in four lines: what surface the mesh is,
+what is wrong with it, which methods then take which signs wrong, and
+what to do about both. Each line is printed as soon as it is known. The
+tables follow: the mesh's size, its shells, its lattice (the largest
+power of two that divides every coordinate, and how many bits the
+coordinates then take), repeated vertices, triangles of exactly zero
+area and non-manifold edges, then the decisions.
 
 Of the surface is said, and decided exactly, whether it is
 
        closed: every edge is in an even number of triangles;
 
        oriented: at every edge as many triangles run along it one way as
-       the other, but for one where their number is odd. A closed one
-       that is wound inside out (its volume is negative) is oriented
-       inward;
+       the other, but for one where their number is odd. Where every
+       shell is inside out (see DEFECTS) it is oriented inward;
 
        free of self-intersections: no two triangles have a point in
        common beyond the vertices that they share. `plumb intersect`
@@ -34,6 +36,13 @@ Of the surface is said, and decided exactly, whether it is
        triangles that meet there share none, and touch;
 
        free of degenerate triangles: none has exactly zero area.
+
+A shell is a connected component of the triangles over edges of exactly
+two. Where there are several, the report says how many; it lists each
+with its volume (exact, rounded once), the closed shell that it lies in,
+and whether it touches or crosses another. All of it is decided exactly.
+--brief says of each mesh what it is and what is wrong with it in one
+line, and leaves out what floats get wrong.
 
 Then it takes the decisions that mesh software takes:
 
@@ -59,6 +68,44 @@ exact always take all. --all asks every method everything.
 Without a MESH it checks the one that it brings along: a bolted flange,
 turned by an angle that no lattice likes, with the defects of real
 files.)"},
+           {"DEFECTS", R"(
+What --fail-on-defect takes, and the report counts:
+
+open
+       An edge is in an odd number of triangles.
+unoriented
+       Of the triangles at an edge more run along it one way than the
+       other, by two at least.
+inside-out
+       A closed shell has negative volume, and lies in no other or in an
+       even number of others; or positive volume, and lies in an odd
+       number: a cavity is wound inward. The report says which shells
+       are to be turned.
+self-intersecting
+       Two triangles have a point in common beyond the vertices that
+       they share.
+degenerate
+       A triangle has exactly zero area.
+non-manifold-edge
+       An edge is in more than two triangles.
+non-manifold-vertex
+       The triangles at a vertex are several fans, which share no edge
+       there: two cones that meet at their tips.
+vertex-on-edge
+       A vertex is on an edge, between its ends: a T-junction.
+duplicate
+       A triangle has the same three points as another, and turns the
+       same way.
+opposite
+       A triangle has the same three points as another, and turns the
+       other way.
+internal-wall
+       A shell that is not closed lies inside of a solid, or divides one.
+crossing-shells
+       A shell passes through another.
+close-vertices
+       A vertex is nearer to another than the LENGTH of --nearer-than,
+       and not equal to it. The distance is compared exactly.)"},
            {"METHODS", R"(
 float32
        The formula in single precision, on coordinates rounded to it.
@@ -90,11 +137,17 @@ takes; for the exact method also the share that each stage decided. The
 worst case of each method is printed as a line that `plumb sign` takes.)"}},
           {{"EXIT STATUS", exit_status("A sign was wrong: one of a METHOD that --fail-on-wrong names, or\n       an "
                                        "exact one that --verify refuted. Or a mesh has a DEFECT that\n       "
-                                       "--fail-on-defect names.")},
+                                       "--fail-on-defect names.") +
+                               R"(
+       `plumb check` of a folder still writes its reports where meshes in
+       the folder could not be read, and names these in them.)"},
            {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
 plumb check --quiet --fail-on-defect open part.stl
        Whether a part is closed, for a script.
+
+plumb check --brief parts
+       One line for each mesh in a folder.
 
 plumb check part.stl --json report.json --chart chart.svg
        The report on the terminal, as JSON and as a picture.

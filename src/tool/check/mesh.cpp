@@ -1,16 +1,15 @@
 #include "tool/check/mesh.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
+#include "certify/batch/all_threads.hpp"
 #include "certify/case_line.hpp"
 #include "certify/catalog.hpp"
 #include "plumb/arith/filtered.hpp"
@@ -27,10 +26,16 @@ constexpr std::uint64_t block_size = 1024;  // fits the second-level cache with 
 /// The methods of `plumb-lab chart` that are compared here.
 using Methods = std::array<trial::Method, method_count>;
 
-// What one thread has gathered of one kind.
+// What is gathered of one kind, by a block or by all.
 struct Gathered {
   Comparison comparison;
   std::array<std::vector<double>, method_count> block_ns;  // per decision, one entry a block
+
+  void add(const Gathered& other) {
+    comparison += other.comparison;
+    for (std::size_t m = 0; m < method_count; ++m)
+      block_ns[m].insert(block_ns[m].end(), other.block_ns[m].begin(), other.block_ns[m].end());
+  }
 };
 
 double elapsed_ns(trial::Round& round) {
@@ -142,27 +147,26 @@ double median(std::vector<double>& values) {
 /// Asks these methods of the kind's decisions: of the sample, or the exact ones of all.
 void compare_kind(const MeshDecisions& decisions, const Lattice& lattice, Kind kind, Asked asked,
                   const CheckSettings& settings, Progress& progress, Comparison& comparison) {
-  const std::uint64_t all = decisions.count(kind);
-  const DecisionSample sample(all, asked == Asked::exact ? all : settings.asked_of_kind());
+  const std::uint64_t of_kind = decisions.count(kind);
+  const DecisionSample sample(of_kind, asked == Asked::exact ? of_kind : settings.asked_of_kind());
   const std::uint64_t count = sample.size(), blocks = (count + block_size - 1) / block_size;
   if (count == 0) return;
   const std::uint64_t stride = settings.verify ? count / (settings.verified_of_kind + 1) + 1 : 0;
   const CatalogEntry& predicate = *find_predicate(kinds[static_cast<std::size_t>(kind)].predicate);
   const CompareBlock compare = comparer_of(predicate.name);
   const Source source{decisions, predicate, kind, methods_of(predicate.name), {lattice, 0}, asked, sample, stride};
-  tbb::enumerable_thread_specific<Gathered> per_thread;
-  tbb::parallel_for(std::uint64_t{0}, blocks, [&](std::uint64_t b) {
+  Gathered all;
+  std::mutex adding;
+  certify::batch::for_each_part(Execution::parallel, blocks, [&](std::size_t b) {
     const std::uint64_t first = b * block_size, size = std::min(block_size, count - first);
-    compare(source, first, size, per_thread.local());
+    Gathered of_block;
+    compare(source, first, size, of_block);
     progress.advance(size);
+    const std::scoped_lock lock(adding);
+    all.add(of_block);
   });
-  std::array<std::vector<double>, method_count> block_ns;
-  for (Gathered& g : per_thread) {
-    comparison += g.comparison;
-    for (std::size_t m = 0; m < method_count; ++m)
-      block_ns[m].insert(block_ns[m].end(), g.block_ns[m].begin(), g.block_ns[m].end());
-  }
-  const auto total_ns = [&](std::size_t m) { return median(block_ns[m]) * static_cast<double>(count); };
+  comparison += all.comparison;
+  const auto total_ns = [&](std::size_t m) { return median(all.block_ns[m]) * static_cast<double>(count); };
   for (std::size_t m = 0; m < method_count; ++m)
     if (is_asked(m, asked)) comparison.method[m].nanoseconds = total_ns(m);
   if (asked == Asked::inexact) comparison.judge_nanoseconds = total_ns(exact_method);
@@ -193,11 +197,12 @@ void check_mesh(const TriangleMesh& mesh, const CheckSettings& settings, MeshChe
                 const CheckWatcher& watcher) {
   const MeshEdges edges = find_edges(mesh);
   check.statistics = mesh_statistics(mesh, edges);
-  check.surface = check_surface(mesh, edges, check.statistics, check.name);
+  check.surface = check_surface(mesh, edges, check.statistics, check.name, settings.nearer_than);
   check.lattice = lattice_of(coordinates_of(mesh));
   const MeshDecisions decisions(mesh, edges);
   check.edges = decisions.edge_answers();
   if (watcher) watcher(CheckStep::mesh);
+  if (!settings.decisions) return;
   const Lattice lattice = decisions.lattice();
   for (std::size_t k = 0; k < kinds.size(); ++k)
     if (decisions.count(static_cast<Kind>(k)) > settings.asked_of_kind())

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "plumb/arith/lattice.hpp"
@@ -47,6 +48,8 @@ struct CheckSettings {
   std::uint64_t verified_of_kind = 100'000;  // at most so many, evenly spread
   bool all = false;                          // ask the inexact methods of every decision, not of a sample
   std::uint64_t sampled_of_kind = 100'000;
+  std::optional<double> nearer_than;  // vertices nearer than this are close
+  bool decisions = true;              // else of the surface alone
 
   [[nodiscard]] std::uint64_t asked_of_kind() const {
     return all ? std::numeric_limits<std::uint64_t>::max() : sampled_of_kind;

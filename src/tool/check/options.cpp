@@ -26,13 +26,19 @@ Command check_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->type_name("METHOD");
   parser
-      ->add_option(
-          "--fail-on-defect", o.fail_on_defect,
-          "Exit with 1 when a mesh is open, unoriented, inside-out, self-intersecting or degenerate, whichever "
-          "DEFECT is; repeatable.")
+      ->add_option("--fail-on-defect", o.fail_on_defect,
+                   "Exit with 1 when a mesh has this DEFECT, of those that 'plumb check --help' explains; repeatable.")
       ->check(CLI::IsMember(std::vector<std::string>(surface_defects.begin(), surface_defects.end())))
       ->allow_extra_args(false)
       ->type_name("DEFECT");
+  parser
+      ->add_option("--nearer-than", o.nearer_than,
+                   "Also count vertices that have another nearer than LENGTH, which are close-vertices.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("LENGTH");
+  parser->add_flag(
+      "--brief", o.brief,
+      "Print one line for each mesh, and nothing of floats; files that cannot be read have a line as well.");
   parser
       ->add_option(
           "--write-sample", o.write_sample,

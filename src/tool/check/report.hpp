@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tool/check/mesh.hpp"
+#include "tool/mesh/inputs.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -18,11 +19,21 @@ std::string text_opening(const MeshCheck& check, const Style& style);
 std::string text_verdict(const MeshCheck& check);
 std::string text_tables(const MeshCheck& check, const Style& style);
 
+/// All of it in one line: "part.stl: 3 open edges; 1 shell inside out".
+std::string text_brief(const MeshCheck& check);
+std::string text_brief(const UnreadMesh& mesh);
+
 /// The totals over several meshes; the table alone.
 std::string text_total(std::span<const MeshCheck> checks, const Style& style);
+/// What could not be read; nothing where all could.
+std::string text_unread(std::span<const UnreadMesh> unread);
 
-nlohmann::json json_report(std::span<const MeshCheck> checks, std::span<const std::string> passed_over,
-                           unsigned threads);
+/// What the run looked at, beside the meshes that it checked.
+struct ReportInputs {
+  std::span<const std::string> passed_over;
+  std::span<const UnreadMesh> unread;
+};
+nlohmann::json json_report(std::span<const MeshCheck> checks, const ReportInputs& inputs, unsigned threads);
 
 /// Share of wrong signs against time per decision, one point a method.
 std::string chart_svg(std::span<const MeshCheck> checks);

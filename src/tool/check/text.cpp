@@ -48,6 +48,31 @@ std::string defect_lines(const MeshStatistics& m) {
   return s.empty() ? fmt::format("  defects     none\n") : s;
 }
 
+/// Whether it is closed, its volume, where it lies, and what is wrong with it.
+std::string shell_text(const Shell& s) {
+  std::string text = plural(s.triangles, "triangle", "triangles") + fmt::format(" from {} on, ", s.first_triangle);
+  text += !s.closed ? "open" : s.volume ? fmt::format("closed, volume {}", *s.volume) : "closed, not oriented";
+  if (s.parent) text += fmt::format(", in shell {}", *s.parent);
+  if (s.wall) text += ", a wall inside of a solid";
+  if (s.inside_out()) text += ", inside out";
+  if (s.crosses) text += ", crosses another";
+  if (s.meets && !s.crosses) text += ", touches another";
+  return text;
+}
+
+std::string shell_lines(const SurfaceCheck& c) {
+  if (c.shells.empty()) return {};
+  if (c.shells.size() == 1) return fmt::format("  shells      1: {}\n", shell_text(c.shells[0]));
+  constexpr std::size_t most = 10;
+  std::string s =
+      fmt::format("  shells      {}, {} of them closed\n", grouped(c.shells.size()), grouped(c.closed_shells));
+  const std::vector<std::size_t> shown = shown_shells(c, most);
+  for (const std::size_t i : shown) s += fmt::format("              {}: {}\n", i, shell_text(c.shells[i]));
+  if (shown.size() < c.shells.size())
+    s += fmt::format("              and {} more; --json lists them\n", grouped(c.shells.size() - shown.size()));
+  return s;
+}
+
 std::string stage_line(const StageCounts& stages) {
   std::string s;
   for (std::size_t i = 0; i < stage_names.size(); ++i) {
@@ -118,6 +143,22 @@ std::string text_opening(const MeshCheck& c, const Style& style) {
          fmt::format("  surface     {}\n  wrong       {}\n", surface_verdict(c.surface), mesh_verdict(c));
 }
 
+std::string text_brief(const MeshCheck& c) {
+  const std::string wrong = mesh_verdict(c);
+  return fmt::format("{}: {}; {}\n", printable(c.name), surface_verdict(c.surface),
+                     wrong == "nothing" ? "nothing wrong" : wrong);
+}
+std::string text_brief(const UnreadMesh& m) {
+  return fmt::format("{}: not read: {}\n", printable(m.name), printable(m.why));
+}
+
+std::string text_unread(std::span<const UnreadMesh> unread) {
+  if (unread.empty()) return {};
+  std::string s = plural(unread.size(), "mesh was", "meshes were") + " not read\n";
+  for (const UnreadMesh& m : unread) s += "  " + printable(m.why) + "\n";
+  return s;
+}
+
 std::string text_verdict(const MeshCheck& c) {
   return fmt::format("  in floats   {}\n  to do       {}\n\n", float_verdict(c), advice(c));
 }
@@ -127,7 +168,7 @@ std::string text_tables(const MeshCheck& c, const Style& style) {
   std::string s = file_lines(c);
   s += fmt::format("  mesh        {}, {}, {}\n", plural(m.vertices, "vertex", "vertices"),
                    plural(m.faces, "triangle", "triangles"), plural(m.edges, "edge", "edges"));
-  s += defect_lines(m);
+  s += shell_lines(c.surface) + defect_lines(m);
   s += fmt::format("  edges       of {} interior: {} convex, {} exactly flat, {} reflex\n", grouped(m.interior_edges),
                    grouped(c.edges.convex), grouped(c.edges.flat), grouped(c.edges.reflex));
   s += lattice_line(c.lattice) + sample_line(c) + "\n" + legend(style) + tables({&c, 1}, style) + "\n";

@@ -15,23 +15,45 @@ namespace {
 /// What may be wrong with a mesh, how often it is, and how it is mended; one that needs no mending has no mend.
 struct Defect {
   std::uint64_t count;
-  std::string_view one, many, mend;
+  std::string one, many, mend;
 };
+
+/// Times are medians over blocks of 1024 decisions: of fewer than ten of these a ratio is noise.
+constexpr std::uint64_t least_timed = 10 * 1024;
 
 std::vector<Defect> defects_of(const MeshCheck& c) {
   const MeshStatistics& m = c.statistics;
-  const std::array<Defect, 12> all{{
+  const SurfaceCheck& s = c.surface;
+  // What mends the one may mend the others.
+  const bool more_faces = s.duplicate_triangles + s.opposite_triangles + s.internal_walls != 0;
+  const bool more_opens = s.vertices_on_edges + s.internal_walls != 0;
+  const std::string close = s.nearer_than ? fmt::format("vertices nearer than {}", *s.nearer_than) : "";
+  const std::array<Defect, 19> all{{
       {m.zero_area_faces, "triangle of zero area", "triangles of zero area", "collapse triangles of zero area"},
       {m.repeated_vertices, "repeated vertex", "repeated vertices", "weld repeated vertices"},
-      {m.boundary_edges, "open edge", "open edges", "close open edges"},
+      {s.close_vertices, close, close, "weld vertices that are too close"},
+      {s.duplicate_triangles, "duplicate triangle", "duplicate triangles", "leave out duplicate triangles"},
+      {s.opposite_triangles, "triangle opposite to another", "triangles opposite to others",
+       "leave out triangles opposite to others (both, where two solids meet there)"},
+      {s.internal_walls, "wall inside of a solid", "walls inside of solids", "leave out walls inside of solids"},
+      {s.vertices_on_edges, "vertex on an edge (T-junction)", "vertices on edges (T-junctions)",
+       s.internal_walls == 0 ? "divide edges where a vertex is on them"
+                             : "divide edges where a vertex is left on them"},
+      {m.boundary_edges, "open edge", "open edges",
+       s.open_edges_of_others == 0 ? ""
+       : more_opens                ? "close open edges that are left"
+                                   : "close open edges"},
       {m.non_manifold_edges, "edge of more than two faces", "edges of more than two faces",
-       "split edges of more than two faces"},
+       more_faces ? "split edges of more than two faces that are left" : "split edges of more than two faces"},
+      {s.non_manifold_vertices, "non-manifold vertex (of several fans)", "non-manifold vertices (of several fans)",
+       "split non-manifold vertices, one for each fan"},
       {m.inconsistent_edges, "edge whose faces are wound against each other",
        "edges whose faces are wound against each other", "wind neighbors alike"},
-      {c.surface.inside_out ? 1U : 0U, "surface wound inside out", "", "turn all triangles"},
-      {c.surface.met.overlapping, "pair of triangles that overlap", "pairs of triangles that overlap",
+      {s.inside_out_shells, "shell wound inside out", "shells wound inside out", turning_advice(s)},
+      {s.crossing_shells, "shell that crosses another", "shells that cross others", "unite or part shells that cross"},
+      {s.met.overlapping, "pair of triangles that overlap", "pairs of triangles that overlap",
        "part triangles that overlap (`plumb intersect --obj` shows them)"},
-      {c.surface.met.touching, "pair of triangles that touch", "pairs of triangles that touch",
+      {s.met.touching, "pair of triangles that touch", "pairs of triangles that touch",
        m.repeated_vertices != 0 ? "" : "part triangles that touch (`plumb intersect --obj` shows them)"},
       {c.bent_faces, "polygon whose corners lie in no one plane", "polygons whose corners lie in no one plane",
        "export triangles, not polygons"},
@@ -89,8 +111,9 @@ std::string advice(const MeshCheck& c) {
   const Comparison total = c.total();
   const auto errs = [&](std::string_view method) { return total.method[method_number(method)].wrong() != 0; };
   const double plain = total.method[method_number("double")].nanoseconds;
-  const std::string cost =
-      plain > 0 ? fmt::format(" ({:.1f} times the time of double)", total.judge_nanoseconds / plain) : "";
+  const std::string cost = plain > 0 && total.sampled() >= least_timed
+                               ? fmt::format(" ({:.1f} times the time of double)", total.judge_nanoseconds / plain)
+                               : "";
   if (total.sampled() == 0) {
     said.emplace_back("nothing can be decided on it");
   } else if (errs("double")) {

@@ -2,7 +2,8 @@
 //
 // Three sentences below that on its surface (surface.hpp), each from what check_mesh has found by then: the first from
 // the mesh alone, the second from the answers of the inexact methods, the third from both.
-// Law: says nothing that the tables do not show; a share of a sample is said to be one.
+// Laws: says nothing that the tables do not show; a share of a sample is said to be one; a ratio of times is told where
+// it was measured on enough decisions alone.
 // Source: RTCD 11.2, 12.1 to 12.4.
 // Cost: none.
 #pragma once

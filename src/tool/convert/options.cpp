@@ -11,7 +11,7 @@ Command convert_command(CLI::App& program) {
   CLI::App* const parser = program.add_subcommand("convert", "Write a mesh file in another format.");
   parser->add_option("FROM TO", o.files.words,
                      "The mesh file to read, and the one to write; '-' is standard input, and standard output.");
-  add_unpacked(parser, o.files.unpacked_mib);
+  add_reading(parser, o.files);
   const auto one_of = [](const auto& names) {
     return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)), CLI::ignore_case);
   };

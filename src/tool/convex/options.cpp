@@ -10,7 +10,7 @@ Command convex_command(CLI::App& program) {
       program.add_subcommand("convex", "Say how the convex hulls of two meshes lie, how near or deep, with a proof.");
   parser->add_option("A B", o.meshes.words, "The two mesh files; '-' is standard input.");
   o.meshes.points_too = true;
-  add_unpacked(parser, o.meshes.unpacked_mib);
+  add_reading(parser, o.meshes);
   add_output(parser, "--json", o.json, "Write relation, distance, points, penetration and steps as JSON");
   add_output(parser, "--certificate", o.certificate, "Write the proof, with both bodies, as JSON");
   parser

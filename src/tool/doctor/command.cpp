@@ -44,7 +44,7 @@ std::string doctor_report(const Environment& e, const Style& style) {
                  "flushed to zero; clear FTZ and DAZ of the MXCSR (-ffast-math at link time sets them)");
   report += line(style, !e.contracts, "contraction", "off: a * b + c rounds twice",
                  "on: a * b + c is fused; compile with -ffp-contract=off");
-  report += line(style, !e.fast_math, "fast-math", "off", "on; compile without -ffast-math");
+  report += line(style, !e.fast_math, "fast-math", "off", "on; compile without -ffast-math and its parts");
   const Batches b = batches();
   report += line(style, b.refused.empty(), "batches", b.taken, b.refused);
   report += e.sound() ? "\nEverything is as the proofs assume.\n"

@@ -219,8 +219,8 @@ int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std:
   if (o.out) {
     std::vector<NamedText> files = report_files(report);
     const std::size_t count = files.size();
-    write_report(*o.out, "fuzz", std::move(files));
     say(fmt::format("{} files in {}\n", count, printable(*o.out)));
+    write_report(*o.out, "fuzz", std::move(files));
   }
   return report.found.empty() ? 0 : 1;
 }

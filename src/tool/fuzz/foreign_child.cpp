@@ -17,6 +17,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tool/terminal/out_of_memory.hpp"
+
 namespace plumb::tool {
 namespace {
 
@@ -41,6 +43,7 @@ void limit_memory(std::uint64_t mib) {
 }
 
 void shut_in(std::uint64_t memory_mib) {
+  obey_memory_no_more();
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::setsid();  // so that its own children can be ended with it, Ctrl-C is the program's to answer, and /dev/tty nothing
   const int nowhere = ::open("/dev/null", O_RDWR);

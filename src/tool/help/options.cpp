@@ -55,8 +55,9 @@ int write_pages(const fs::path& folder, const CLI::App& program, Manual (*of_pro
           fmt::format("cannot write into {}: {}", printable((folder / place).parent_path().string()), error.message()));
     files.push_back({folder / place, text});
   }
-  keep_files(files);
   say(fmt::format("{} files in {}\n", files.size(), printable(folder.string())));
+  flush_output();
+  keep_files(files);
   return 0;
 }
 

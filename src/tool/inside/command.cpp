@@ -25,7 +25,7 @@ InsideReport inside_report(const InsideOptions& options, const OutputFiles& outp
   InsideReport report;
   for (const std::string& words : options.points) report.points.push_back(read_point(words, "--point " + words));
   if (options.file) {
-    for (NamedPoint& p : read_points(*options.file)) report.points.push_back(std::move(p));
+    for (NamedPoint& p : read_points(*options.file, options.meshes.reading())) report.points.push_back(std::move(p));
   }
   report.mesh = std::move(read_asked_meshes(options.meshes, outputs).front());
   report.oriented = is_oriented_closed(report.mesh.mesh);

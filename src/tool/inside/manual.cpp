@@ -22,8 +22,10 @@ which goes along x; the report says so.
 
 The file of --points holds three numbers on a line, with commas or
 blanks between them; empty lines, what follows '#' and a first line of
-words (a header) are passed over. A number stands for its nearest
-double, and it is said how many are none.)"}},
+words (a header) are passed over; one that names x, y or z, and not
+these three in their order, is refused. It may be packed by gzip. A
+number stands for its nearest double, and it is said how many are
+none.)"}},
           {{"EXIT STATUS", R"(
 0      Done, whatever the answers are.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,

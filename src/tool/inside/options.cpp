@@ -8,7 +8,7 @@ Command inside_command(CLI::App& program) {
   InsideOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("inside", "Say which points are inside of a closed mesh.");
   parser->add_option("MESH", o.meshes.words, "The mesh file; '-' is standard input.");
-  add_unpacked(parser, o.meshes.unpacked_mib);
+  add_reading(parser, o.meshes);
   parser->add_option("--point", o.points, "Ask about this point; repeatable.")
       ->allow_extra_args(false)
       ->type_name("X,Y,Z");

@@ -2,7 +2,8 @@
 //
 //   0.5,0.5,0.5          on a line of its own; blanks may stand for the commas
 //
-// Laws: those of tool/rows/decimal_rows.hpp: what is passed over, and what is refused with its line.
+// Laws: those of tool/rows/decimal_rows.hpp: what is passed over, and what is refused with its line;
+// and of tool/rows/packed_rows.hpp.
 // Source: none.
 // Cost: that of reading the decimals.
 #pragma once
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "plumb/arith/point.hpp"
+#include "plumb/surface/read_mesh.hpp"
 
 namespace plumb::tool {
 
@@ -28,6 +30,6 @@ NamedPoint read_point(const std::string& words, const std::string& what);
 std::vector<NamedPoint> parse_points(std::string_view text, const std::string& name);
 
 /// Of the file, or of standard input for "-"; throws Error where it cannot be read.
-std::vector<NamedPoint> read_points(const std::string& file);
+std::vector<NamedPoint> read_points(const std::string& file, const ReadOptions& reading);
 
 }  // namespace plumb::tool

@@ -10,7 +10,7 @@ Command intersect_command(CLI::App& program) {
       program.add_subcommand("intersect", "Say which triangles of a mesh, or of two, touch or overlap.");
   parser->add_option("A B", o.meshes.words,
                      "The mesh file, and another; of one alone its own triangles are asked. '-' is standard input.");
-  add_unpacked(parser, o.meshes.unpacked_mib);
+  add_reading(parser, o.meshes);
   parser->add_flag("--overlapping", o.overlapping, "Look only for triangles that overlap, not for those that touch.");
   parser->add_flag("--first", o.first, "End at the first pair that is come upon: whether there is any.");
   parser->add_flag("--count", o.count, "Say only how many pairs there are, and keep none in memory.");

@@ -67,11 +67,11 @@ void add_seed(CLI::App* parser, std::uint64_t& seed, const std::string& about);
 /// --threads; 0 where it is not given.
 void add_threads(CLI::App* parser, unsigned& threads);
 
-/// MESH: what a command reads, with the option that bounds it.
+/// MESH: what a command reads, with the options that say how.
 void add_meshes(CLI::App* parser, MeshArguments& meshes, const std::string& about);
 
-/// The bound alone, of commands whose files are not all meshes to read.
-void add_unpacked(CLI::App* parser, std::optional<std::uint32_t>& unpacked_mib);
+/// These options alone, of commands whose files are not all meshes to read.
+void add_reading(CLI::App* parser, MeshArguments& meshes);
 
 /// An option that names the file to write; "-", and no name, is standard output.
 void add_output(CLI::App* parser, const std::string& option, std::optional<std::string>& path,

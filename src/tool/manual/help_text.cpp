@@ -50,7 +50,8 @@ bvh MESH
 
 check [MESH]...
        Says whether these meshes are closed, oriented and free of
-       self-intersections and degenerate triangles. Then takes the
+       self-intersections and degenerate triangles, of which shells they
+       consist, and what is wrong with them. Then takes the
        decisions that mesh software takes on them, in floating point and
        exactly, and says where floating point errs.
 

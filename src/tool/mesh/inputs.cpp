@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "tool/mesh/load_text.hpp"
 #include "tool/terminal/number_text.hpp"
 #include "tool/terminal/terminal.hpp"
 
@@ -78,10 +79,15 @@ void add_folder(const std::string& folder, MeshInputs& all) {
   all.passed_over.insert(all.passed_over.end(), found.passed_over.begin(), found.passed_over.end());
 }
 
-/// read() with the mend of a mesh that is too large.
+/// read() with the mend of a mesh that is too large; and what was passed over in it is told.
 template <class Read>
-PolygonMesh with_mend(const Read& read) try {
-  return read();
+PolygonMesh told(const std::string& file, LoadReport* report, const Read& read) try {
+  LoadReport own;
+  LoadReport& load = report != nullptr ? *report : own;
+  PolygonMesh mesh = read(&load);
+  for (const PassedOver& p : load.passed_over)
+    complain(fmt::format("{}: passed over {}", printable(file), passed_over_text(p)));
+  return mesh;
 } catch (const MeshFileError& e) {
   if (e.problem != MeshFileProblem::too_large) throw;
   throw Error(fmt::format("{}; '--unpacked MIB' raises it", e.what()));
@@ -90,8 +96,14 @@ PolygonMesh with_mend(const Read& read) try {
 }  // namespace
 
 ReadOptions MeshArguments::reading() const {
-  if (!unpacked_mib) return {.points_too = points_too};
-  return {std::uint64_t{*unpacked_mib} << 20, std::numeric_limits<std::uint64_t>::max(), points_too};
+  if (strict && lenient) throw Error("--strict and --lenient exclude each other: one refuses what the other reads");
+  ReadOptions options{.points_too = points_too};
+  options.strictness = strict ? Strictness::strict : lenient ? Strictness::lenient : Strictness::usual;
+  if (unpacked_mib) {
+    options.most_bytes = std::uint64_t{*unpacked_mib} << 20;
+    options.most_ratio = std::numeric_limits<std::uint64_t>::max();
+  }
+  return options;
 }
 
 void require_input_once(const std::vector<std::string>& words) {
@@ -141,24 +153,29 @@ std::string bytes_of_input(const std::string& file, std::uint64_t most_bytes) {
 
 PolygonMesh parse_input(std::string_view bytes, const std::string& name, LoadReport* report,
                         const ReadOptions& options) {
-  return with_mend([&] { return parse_mesh(bytes, name, report, options); });
+  return told(name, report, [&](LoadReport* load) { return parse_mesh(bytes, name, load, options); });
 }
 
 PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOptions& options) {
   if (file == "-") return parse_input(bytes_of_input(file), name_of_input(file), report, options);
-  return with_mend([&] { return read_polygon_mesh(file, report, options); });
+  return told(file, report, [&](LoadReport* load) { return read_polygon_mesh(file, load, options); });
 }
 
-bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take) {
+bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,
+               const std::function<void(UnreadMesh)>& refuse) {
   bool good = inputs.faults.empty();
-  for (const MeshFileError& e : inputs.faults) complain(e.what());
+  const auto refused = [&](const std::string& name, const char* why) {
+    complain(why);
+    if (refuse) refuse({name, why});
+    good = false;
+  };
+  for (const MeshFileError& e : inputs.faults) refused(e.file, e.what());
   for (const std::string& file : inputs.files) {
     InputMesh input{name_of_input(file), {}, {}};
     try {
       input.mesh = read_input(file, &input.load, options);
     } catch (const Error& e) {
-      complain(e.what());
-      good = false;
+      refused(input.name, e.what());
       continue;
     }
     take(std::move(input));

@@ -24,7 +24,9 @@ struct MeshArguments {
   std::vector<std::string> words;             // files, folders, "-"
   std::optional<std::uint32_t> unpacked_mib;  // what a packed mesh may unpack to, and parts may make
   bool points_too = false;                    // vertices without faces will do
+  bool strict = false, lenient = false;       // one of them at the most
 
+  /// Throws Error where it is both strict and lenient.
   [[nodiscard]] ReadOptions reading() const;
 };
 
@@ -60,8 +62,15 @@ struct InputMesh {
   LoadReport load;
 };
 
-/// Every mesh in turn.  What cannot be read is complained of and the others are still taken; false then.
-bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take);
+/// An input that cannot be read, by its name, and why.
+struct UnreadMesh {
+  std::string name, why;
+};
+
+/// Every mesh in turn.  What cannot be read is complained of, and told to `refuse` if that is given, and the others are
+/// still taken; false then.
+bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,
+               const std::function<void(UnreadMesh)>& refuse = {});
 
 /// How an input is called: "standard input" for "-".
 std::string name_of_input(const std::string& file);

@@ -31,7 +31,13 @@ std::string load_text(const LoadReport& l, bool triangulated) {
     s += fmt::format("  placing     {} made by transforms, {} of them rounded, once each\n",
                      plural(l.transformed, "coordinate", "coordinates"), grouped(l.rounded));
   }
+  for (const PassedOver& p : l.passed_over) s += fmt::format("  passed over {}\n", passed_over_text(p));
   return s;
+}
+
+std::string passed_over_text(const PassedOver& p) {
+  const std::string where = p.line ? fmt::format("in line {}", *p.line) : fmt::format("at byte {}", p.byte.value_or(0));
+  return fmt::format("{}: {}, {}{}: {}", p.what, grouped(p.count), p.count == 1 ? "" : "the first ", where, p.first);
 }
 
 }  // namespace plumb::tool

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "tool/rows/npy.hpp"
 #include "tool/terminal/decimal_range.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/number_text.hpp"
 #include "tool/terminal/output_files.hpp"
-#include "tool/terminal/thread_limit.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -24,13 +24,20 @@ file.)"},
 CSV
        A point on a line, as two numbers in the plane or three in space,
        with commas, semicolons or blanks between them. Empty lines, what
-       follows '#' and a header are passed over. A number stands for its
-       nearest double, and it is said how many are none.
+       follows '#' and a header are passed over; a header that names x,
+       y or z has no other names and the order x, y, z, or it is
+       refused. A number stands for its nearest double, and it is said
+       how many are none.
 .npy
        An array of NumPy of the shape (n, 2) or (n, 3), of float64 or
        float32, in either byte order.
-A mesh, as `plumb check` reads it
-       Its vertices.)"},
+.xyz
+       Text as above, in space; what follows the first three numbers of
+       a line, a normal or a color, is passed over.
+A mesh or a cloud of points (PLY, OBJ, OFF), as `plumb check` reads it
+       Its vertices; no face is needed.
+Each of them packed by gzip
+       As points.csv.gz; what other packers make is refused.)"},
        {"OUTPUTS", R"(
 --out writes the points' numbers as an array of int64, --distances the
 distances as one of float64, both of the shape (queries, N). With --ties

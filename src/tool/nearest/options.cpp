@@ -9,7 +9,8 @@ Command nearest_command(CLI::App& program) {
   NearestOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("nearest", "Find the points that are nearest to queries, exactly.");
   parser->add_option("POINTS QUERIES", o.files.words, "The two files; '-' is standard input.");
-  add_unpacked(parser, o.files.unpacked_mib);
+  o.files.points_too = true;
+  add_reading(parser, o.files);
   parser->add_option("-k", o.k, "How many points to find for each query, nearest first; 1 when not given.")
       ->check(whole_number_from(1, 4294967295U))
       ->type_name("N");

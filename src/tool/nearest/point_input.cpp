@@ -11,7 +11,7 @@ constexpr std::array<std::string_view, 3> space_names{"x", "y", "z"};
 }  // namespace
 
 PointInput read_point_file(const std::string& file, const ReadOptions& reading, const OutputFiles& outputs) {
-  TableOrMesh read = read_table_or_mesh(file, {"a point", "points", plane_names, space_names}, reading, outputs);
+  TableOrMesh read = read_table_or_mesh(file, {"a point", "points", plane_names, space_names, true}, reading, outputs);
   PointInput input;
   input.name = name_of_input(file);
   if (read.mesh) {

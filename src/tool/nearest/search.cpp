@@ -1,6 +1,4 @@
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
@@ -8,6 +6,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/space/kd_tree/point_range.hpp"
+#include "space/bvh/blocks.hpp"
 #include "space/kd_tree/point_search.hpp"
 #include "tool/nearest/command.hpp"
 #include "tool/terminal/number_text.hpp"
@@ -72,8 +71,8 @@ void append_with_ties(const KdTree<Point>& tree, std::span<const Point> points, 
   std::vector<std::vector<NearestPoint>> lists(queries.size());
   std::vector<std::size_t> more(queries.size());  // than are in the list
   const bool counts = !report.keeps_all && report.found.size() >= NearestReport::listed;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), 64), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  space::for_blocks(Execution::parallel, queries.size(), 64, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
       lists[i] = nearest(tree, queries[i], k, counts ? Ties::lowest : Ties::all);
       if (counts)
         more[i] = space::kd::count_ties_above(tree, queries[i], points[lists[i].back().index], lists[i].back().index);
@@ -96,8 +95,8 @@ void append_within(const KdTree<Point>& tree, std::span<const Point> points, std
   report.found.resize(before + kept);
   for (std::size_t i = 1; i < lists.first.size(); ++i)
     report.first.push_back(before + std::min<std::size_t>(lists.first[i], kept));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), 64), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+  space::for_blocks(Execution::parallel, queries.size(), 64, [&](std::size_t, std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
       std::size_t at = before + lists.first[i];
       for (const std::uint32_t number : lists[i]) {
         if (at >= report.found.size()) break;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "tool/pairs/method_names.hpp"
 #include "tool/rows/npy.hpp"
@@ -15,7 +16,6 @@
 #include "tool/terminal/number_text.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/progress.hpp"
-#include "tool/terminal/thread_limit.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -21,13 +21,17 @@ CSV
        A box on a line, as four numbers in the plane (min x, min y,
        max x, max y) or six in space (min x, min y, min z, max x, max y,
        max z), with commas, semicolons or blanks between them. Empty
-       lines, what follows '#' and a header are passed over. A number
-       stands for its nearest double, and it is said how many are none.
+       lines, what follows '#' and a header are passed over; a header
+       that has some of these names and others, or another order, is
+       refused. A number stands for its nearest double, and it is said
+       how many are none.
 .npy
        An array of NumPy of the shape (n, 4) or (n, 6), of float64 or
        float32, in either byte order. The shape (0, 4) is an empty set.
 A mesh, as `plumb check` reads it
-       The boxes of its triangles.)"},
+       The boxes of its triangles.
+Each of them packed by gzip
+       As boxes.csv.gz; what other packers make is refused.)"},
            {"OUTPUTS", R"(
 --all lists the pairs, --json has them as well. --out writes them as an
 array of int64 of the shape (m, 2): the numbers of a and of b. Where

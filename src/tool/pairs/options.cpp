@@ -12,7 +12,7 @@ Command pairs_command(CLI::App& program) {
   std::vector<std::string> methods;
   for (const BroadPhaseMethod m : broad_phase_methods) methods.push_back(command_name(m));
   parser->add_option("FILE", o.files.words, "One file of boxes, or two; '-' is standard input.");
-  add_unpacked(parser, o.files.unpacked_mib);
+  add_reading(parser, o.files);
   parser->add_flag("--no-touching", o.no_touching, "Pass over pairs that only touch.");
   parser->add_option("--method", o.method, "Search this way; all of them find the same pairs.")
       ->check(CLI::IsMember(methods))

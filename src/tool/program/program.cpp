@@ -12,6 +12,7 @@
 #include "plumb/certify/environment.hpp"
 #include "tool/manual/command.hpp"
 #include "tool/manual/parsed_options.hpp"
+#include "tool/terminal/out_of_memory.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -153,6 +154,7 @@ int leave_with_reader() {
 
 int run_program(const ProgramFacts& facts, int argc, char** argv) try {
   be_named(facts.name);
+  end_without_memory(argc, argv);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is learned of where output is written, not by sudden death
   std::signal(SIGXFSZ, SIG_IGN);  // and so of a file that may not grow so large (ulimit -f)
   Program program(facts);
@@ -171,7 +173,8 @@ int run_program(const ProgramFacts& facts, int argc, char** argv) try {
 } catch (const ReaderLeft&) {
   return leave_with_reader();
 } catch (const std::bad_alloc&) {
-  return refuse("out of memory");
+  say_out_of_memory();
+  return 2;
 } catch (const std::exception& e) {
   return refuse(e.what());
 }

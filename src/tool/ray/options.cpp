@@ -8,7 +8,7 @@ Command ray_command(CLI::App& program) {
   RayOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("ray", "Say which triangles rays hit, first and in order.");
   parser->add_option("MESH", o.meshes.words, "The mesh file; '-' is standard input.");
-  add_unpacked(parser, o.meshes.unpacked_mib);
+  add_reading(parser, o.meshes);
   parser->add_option("--ray", o.rays, "Shoot this ray: its origin and its direction; repeatable.")
       ->allow_extra_args(false)
       ->type_name("OX,OY,OZ,DX,DY,DZ");

@@ -60,7 +60,10 @@ bool DecimalRows::next() {
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++row_.line;
     if (row_.words.empty()) continue;
-    if (std::exchange(is_first_, false) && is_header()) continue;
+    if (std::exchange(is_first_, false) && is_header()) {
+      header_ = line;
+      continue;
+    }
     if (line.find(',') != line.npos && line.find(';') != line.npos)
       throw Error(place() +
                   ": commas and semicolons stand in one line; part numbers by one of them, and write 1.5 for 1,5");

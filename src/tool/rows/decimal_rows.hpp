@@ -40,11 +40,13 @@ class DecimalRows {
   [[nodiscard]] const DecimalRow& row() const { return row_; }
   /// "boxes.csv, line 7"
   [[nodiscard]] std::string place() const;
+  /// The line of the header, once there is a row; empty where there is none.
+  [[nodiscard]] std::string_view header() const { return header_; }
 
  private:
   [[nodiscard]] bool is_header() const;
 
-  std::string_view rest_;
+  std::string_view rest_, header_;
   std::string name_;
   DecimalReader reader_;
   DecimalRow row_;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <charconv>
 #include <limits>
+#include <set>
 
 #include "plumb/arith/error.hpp"
 #include "surface/byte_reader.hpp"
@@ -28,10 +29,11 @@ class HeaderParser {
 
   NpyHeader parse() {
     NpyHeader header;
-    int entries = 0;
+    std::set<std::string> keys;
     require('{');
     while (!takes("}")) {
       const std::string key = quoted();
+      if (!keys.insert(key).second) fail("each entry once");
       require(':');
       if (key == "descr") {
         header.type = type();
@@ -43,13 +45,14 @@ class HeaderParser {
       } else {
         fail("descr, fortran_order or shape");
       }
-      ++entries;
       if (!takes(",")) {
         require('}');
         break;
       }
     }
-    if (entries != 3) fail("descr, fortran_order and shape");
+    if (keys.size() != 3) fail("descr, fortran_order and shape");
+    takes("");  // blanks
+    if (!rest_.empty()) fail("the end of the header");
     return header;
   }
 

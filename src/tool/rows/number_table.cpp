@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "plumb/arith/error.hpp"
+#include "surface/foreign_formats.hpp"
 #include "surface/text_lines.hpp"
+#include "tool/rows/column_names.hpp"
 #include "tool/rows/decimal_rows.hpp"
 #include "tool/rows/npy.hpp"
+#include "tool/rows/packed_rows.hpp"
 #include "tool/terminal/mesh_name.hpp"
 #include "tool/terminal/terminal.hpp"
 
@@ -25,38 +29,42 @@ bool is_length(std::size_t length, const RowMeaning& meaning) {
   return length == meaning.plane.size() || length == meaning.space.size();
 }
 
+std::span<const std::string_view> names_of(std::size_t length, const RowMeaning& meaning) {
+  return length == meaning.plane.size() ? meaning.plane : meaning.space;
+}
+
 void require_finite(const NumberTable& table, const RowMeaning& meaning) {
   for (std::size_t i = 0; i < table.values.size(); ++i) {
     const double x = table.values[i];
     if (x - x == 0) continue;
-    const std::span<const std::string_view> names =
-        table.columns == meaning.plane.size() ? meaning.plane : meaning.space;
     throw Error(fmt::format("{}: {} is {}, not a real number; give a finite one", table.place_of(i / table.columns),
-                            names[i % table.columns], x));
+                            names_of(table.columns, meaning)[i % table.columns], x));
   }
 }
 
 enum class FileKind : unsigned char { text, npy, mesh };
 
-/// Of a name that ends as tables do.
+std::string ending_within(const std::string& file) {
+  return surface::lower_case(std::filesystem::path(name_within(file)).extension().string());
+}
+
+/// Of a name that ends as tables do, packed or not.
 std::optional<FileKind> kind_by_ending(const std::string& file) {
-  const std::string ending = surface::lower_case(std::filesystem::path(file).extension().string());
+  const std::string ending = ending_within(file);
   if (ending == ".npy") return FileKind::npy;
-  if (ending == ".csv" || ending == ".txt" || ending == ".tsv") return FileKind::text;
+  if (ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".xyz") return FileKind::text;
   return {};
 }
 
 /// By what a name ends with; nothing where that leaves it to the content.
 std::optional<FileKind> kind_by_name(const std::string& file) {
   if (const auto table = kind_by_ending(file)) return table;
-  return file == "-" || why_mesh(file).empty() ? std::nullopt : std::optional(FileKind::mesh);
+  return file != "-" && is_mesh_name(file) ? std::optional(FileKind::mesh) : std::nullopt;
 }
 
 FileKind kind_by_content(std::string_view bytes) {
-  const bool packed = bytes.starts_with("\x1f\x8b");
-  return is_npy(bytes)                                                    ? FileKind::npy
-         : packed || format_by_content(bytes.substr(0, 4096)).has_value() ? FileKind::mesh
-                                                                          : FileKind::text;
+  if (is_npy(bytes)) return FileKind::npy;
+  return format_by_content(bytes) || surface::foreign_by_content(bytes) ? FileKind::mesh : FileKind::text;
 }
 
 }  // namespace
@@ -65,21 +73,25 @@ std::string NumberTable::place_of(std::size_t row) const {
   return lines.empty() ? fmt::format("{}, row {}", name, row) : fmt::format("{}, line {}", name, lines[row]);
 }
 
-NumberTable parse_table(std::string_view text, const std::string& name, const RowMeaning& meaning) {
+NumberTable parse_table(std::string_view text, const std::string& name, const RowMeaning& meaning, Columns columns) {
   NumberTable table{name, 0, {}, {}, 0};
   if (text.empty()) throw Error(fmt::format("{}: the file is empty, expected {}, one on a line", name, meaning.many));
   DecimalRows rows(text, name);
   while (rows.next()) {
     const DecimalRow& row = rows.row();
-    const std::size_t length = row.values.size();
+    const std::size_t length =
+        columns == Columns::more_may_follow ? std::min(row.values.size(), meaning.space.size()) : row.values.size();
     if (!is_length(length, meaning))
       throw Error(fmt::format("{}: this has {}; {}", rows.place(),
                               length == 1 ? "1 number" : fmt::format("{} numbers", length), expected(meaning)));
     if (table.columns != 0 && length != table.columns)
       throw Error(fmt::format("{}: this has {} numbers, and line {} has {}; a file holds {} in the plane or in space",
                               rows.place(), length, table.lines.front(), table.columns, meaning.many));
+    if (table.columns == 0 && !rows.header().empty())
+      require_column_names(rows.header(), names_of(length, meaning), name);
     table.columns = length;
-    table.values.insert(table.values.end(), row.values.begin(), row.values.end());
+    table.values.insert(table.values.end(), row.values.begin(),
+                        row.values.begin() + static_cast<std::ptrdiff_t>(length));
     table.lines.push_back(row.line);
     table.inexact += row.exact ? 0 : 1;
   }
@@ -110,21 +122,24 @@ TableOrMesh read_table_or_mesh(const std::string& file, const RowMeaning& meanin
                                const OutputFiles& outputs) {
   const std::string name = name_of_input(file);
   const std::optional<FileKind> named = kind_by_name(file);
-  if (surface::lower_case(std::filesystem::path(file).extension().string()) == ".npz")
-    throw Error(fmt::format("{}: this is an archive of NumPy's arrays (.npz); write the one of {} by numpy.save",
-                            printable(name), meaning.many));
+  if (named != FileKind::mesh) require_no_archive(file, "");
   TableOrMesh read;
   std::string bytes;
   if (named != FileKind::mesh) bytes = bytes_of_input(file);
-  const FileKind kind = is_npy(bytes) ? FileKind::npy : named.value_or(kind_by_content(bytes));
+  const std::optional<std::string> unpacked = unpacked_rows(bytes, printable(name), reading);
+  const std::string_view rows = unpacked ? std::string_view(*unpacked) : bytes;
+  if (named && named != FileKind::mesh) require_no_archive(name, rows);
+  const FileKind kind = is_npy(rows) ? FileKind::npy : named.value_or(kind_by_content(rows));
   if (kind == FileKind::npy) {
-    read.table = table_of_npy(bytes, printable(name), meaning);
+    read.table = table_of_npy(rows, printable(name), meaning);
   } else if (kind == FileKind::text) {
-    read.table = parse_table(bytes, printable(name), meaning);
+    const bool more_follow = meaning.is_point && ending_within(file) == ".xyz";
+    read.table = parse_table(rows, printable(name), meaning, more_follow ? Columns::more_may_follow : Columns::no_more);
   } else {
     LoadReport load;
-    const PolygonMesh polygons =
-        bytes.empty() ? read_input(file, &load, reading) : parse_input(bytes, name, &load, reading);
+    std::error_code ignored;  // a pipe is read once, a file also with those beside it
+    const bool by_name = bytes.empty() || (file != "-" && std::filesystem::is_regular_file(file, ignored));
+    const PolygonMesh polygons = by_name ? read_input(file, &load, reading) : parse_input(bytes, name, &load, reading);
     read.mesh = asked_mesh(name, polygons, std::move(load), outputs);
   }
   return read;

@@ -1,8 +1,9 @@
 // Which rows of numbers, all of one length, does a file hold?  A CSV, an array of NumPy, or a mesh to take them from.
 //
 // Laws: (1) what a file is, its content says, and where that is text its name: one that is a mesh by its ending or its
-// content is read as a mesh, all else as CSV.  (2) All rows are as long as one of the lengths asked for, and all their
-// numbers are finite; what is not throws Error, which names the file and the row.
+// content is read as a mesh, all else as CSV; what gzip packed is unpacked first.  (2) All rows are as long as one of the
+// lengths asked for, all their numbers are finite, and a header that names them has them in that order
+// (tool/rows/column_names.hpp); what is not throws Error, which names the file and the row.
 // Source: tool/rows/decimal_rows.hpp, tool/rows/npy.hpp, plumb/surface/read_mesh.hpp.
 // Cost: that of reading.
 #pragma once
@@ -24,6 +25,7 @@ namespace plumb::tool {
 struct RowMeaning {
   std::string_view one, many;  // "a box", "boxes"
   std::span<const std::string_view> plane, space;
+  bool is_point = false;  // then a cloud's file (.xyz) will do, where a normal, a color and the like may follow each
 };
 
 struct NumberTable {
@@ -42,7 +44,9 @@ struct NumberTable {
 };
 
 /// Of text; `name` is the file's in errors.
-NumberTable parse_table(std::string_view text, const std::string& name, const RowMeaning& meaning);
+enum class Columns { no_more, more_may_follow };
+NumberTable parse_table(std::string_view text, const std::string& name, const RowMeaning& meaning,
+                        Columns columns = Columns::no_more);
 /// Of the bytes of a NumPy file.
 NumberTable table_of_npy(std::string_view bytes, const std::string& name, const RowMeaning& meaning);
 

@@ -36,9 +36,10 @@ triangles wound against each other, leave open chains.
 
 The SVG shows planes as seen from their normal's side, z upward where
 it can be, in the mesh's unit: of z=1.5 it holds x and y, of x=1.5 y and
-z, of y=1.5 -x and z. DXF and JSON hold corners in space; the JSON also
-names the two vertices of each corner's edge, which are one where the
-corner is a vertex. Areas and lengths are those of the rounded corners.)"}},
+z, of y=1.5 -x and z. Its lines are 1/900 of the drawing's larger side
+wide. DXF and JSON hold corners in space; the JSON also names the two
+vertices of each corner's edge, which are one where the corner is a
+vertex. Areas and lengths are those of the rounded corners.)"}},
           {{"EXIT STATUS", R"(
 0      Done, also where nothing is cut or contours are open.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,

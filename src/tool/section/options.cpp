@@ -8,7 +8,7 @@ Command section_command(CLI::App& program) {
   SectionOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("section", "Cut a mesh by planes into exact contours.");
   parser->add_option("MESH", o.meshes.words, "The mesh file; '-' is standard input.");
-  add_unpacked(parser, o.meshes.unpacked_mib);
+  add_reading(parser, o.meshes);
   parser->add_option("--plane", o.planes, "Cut by this plane, or by these; repeatable.")
       ->allow_extra_args(false)
       ->type_name("PLANE");

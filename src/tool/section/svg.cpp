@@ -1,4 +1,7 @@
 // The contours of sections, drawn: what is inside is filled, as winding numbers say; chains that are open are red.
+//
+// Lines are as wide as a pixel where the drawing is shown at its own size, in the drawing's unit: few renderers know
+// strokes that do not scale.  All is said in attributes, as some know no style sheets either.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +13,8 @@
 
 namespace plumb::tool {
 namespace {
+
+constexpr double pixels = 900;  // along the larger side
 
 /// The part of the paper that all sections together need.
 struct Frame {
@@ -32,7 +37,7 @@ struct Frame {
   }
 };
 
-std::string layer(const SectionReport& report, std::size_t plane) {
+std::string layer(const SectionReport& report, std::size_t plane, double opacity) {
   const Section& section = report.sections[plane];
   std::string closed, open;
   for (std::size_t i = 0; i < section.contours.size(); ++i) {
@@ -49,24 +54,27 @@ std::string layer(const SectionReport& report, std::size_t plane) {
       "<g id=\"section-{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\">\n<title>{}"
       "</title>\n",
       plane + 1, name, name);
-  if (!closed.empty()) text += fmt::format("<path class=\"closed\" d=\"{}\"/>\n", closed);
-  if (!open.empty()) text += fmt::format("<path class=\"open\" d=\"{}\"/>\n", open);
+  if (!closed.empty()) {
+    text += fmt::format(
+        "<path class=\"closed\" fill=\"#4477aa\" fill-opacity=\"{}\" fill-rule=\"nonzero\" stroke=\"#224466\" "
+        "d=\"{}\"/>\n",
+        opacity, closed);
+  }
+  if (!open.empty()) text += fmt::format("<path class=\"open\" fill=\"none\" stroke=\"#cc3311\" d=\"{}\"/>\n", open);
   return text + "</g>\n";
 }
 
 std::string document(const SectionReport& report, std::size_t from, std::size_t to) {
   const Frame f(report);
-  const double width = f.right - f.left, height = f.top - f.bottom, pixels = 900 / std::max(width, height);
+  const double width = f.right - f.left, height = f.top - f.bottom, pixel = std::max(width, height) / pixels;
   // Upward is up: the layers are mirrored, so that their numbers are those of the plane.
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
       "viewBox=\"{} {} {} {}\" width=\"{:.0f}\" height=\"{:.0f}\">\n<title>{}</title>\n"
-      "<style>path {{ stroke-width: 1px; stroke-linejoin: round; vector-effect: non-scaling-stroke }} "
-      ".closed {{ fill: #4477aa; fill-opacity: {}; fill-rule: nonzero; stroke: #224466 }} "
-      ".open {{ fill: none; stroke: #cc3311 }}</style>\n<g transform=\"scale(1,-1)\">\n",
-      f.left, -f.top, width, height, std::max(width * pixels, 1.0), std::max(height * pixels, 1.0),
-      escaped(report.mesh_name), to - from == 1 ? 0.35 : 0.08);
-  for (std::size_t i = from; i < to; ++i) text += layer(report, i);
+      "<g transform=\"scale(1,-1)\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
+      f.left, -f.top, width, height, std::max(width / pixel, 1.0), std::max(height / pixel, 1.0),
+      escaped(report.mesh_name), pixel);
+  for (std::size_t i = from; i < to; ++i) text += layer(report, i, to - from == 1 ? 0.35 : 0.08);
   return text + "</g>\n</svg>\n";
 }
 

@@ -32,11 +32,6 @@ bool holds(const List& list, std::string_view word) {
   return std::ranges::find(list, word) != list.end();
 }
 
-bool is_mesh_name(const fs::path& path) {
-  const std::string last = ending(path);
-  return holds(mesh_endings, last) || (holds(packed_endings, last) && holds(mesh_endings, ending(path.stem())));
-}
-
 /// A binary STL says how many triangles follow, and has just so many bytes.
 bool is_binary_stl(std::string_view head, std::uintmax_t size) {
   constexpr std::size_t count_begin = 80, count_end = 84, triangle = 50;
@@ -58,6 +53,12 @@ bool is_mesh_content(const fs::path& path) {
 }
 
 }  // namespace
+
+bool is_mesh_name(const std::string& path) {
+  const std::string last = ending(path);
+  return holds(mesh_endings, last) ||
+         (holds(packed_endings, last) && holds(mesh_endings, ending(fs::path(path).stem())));
+}
 
 std::string why_mesh(const std::string& path) {
   if (is_mesh_name(path)) return "is the name of a mesh";

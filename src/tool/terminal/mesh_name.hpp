@@ -9,6 +9,9 @@
 
 namespace plumb::tool {
 
+/// By its ending alone.
+bool is_mesh_name(const std::string& path);
+
 /// "is the name of a mesh", "is a mesh by its content"; nothing where it is none.
 std::string why_mesh(const std::string& path);
 

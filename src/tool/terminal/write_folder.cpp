@@ -71,10 +71,12 @@ void write_report(const std::string& folder, std::string_view command, std::vect
   for (const NamedText& file : files) stale.erase(file.name);
   files.push_back({list_of(command), std::move(list)});
   for (const NamedText& file : files) beside.push_back({fs::path(folder) / file.name, file.text});
+  std::vector<fs::path> gone;  // named now: once the files are kept, nothing may fail
+  for (const std::string& name : stale) gone.push_back(fs::path(folder) / name);
   flush_output();  // what cannot be said is no success either
   keep_files(beside, folder);
   std::error_code ignored;
-  for (const std::string& name : stale) fs::remove(fs::path(folder) / name, ignored);
+  for (const fs::path& path : gone) fs::remove(path, ignored);
 }
 
 void add_files(const std::string& folder, const std::vector<NamedText>& files) {

@@ -3,6 +3,8 @@
 #include <cstring>
 #include <limits>
 
+#include "query/body/degenerate_forms.hpp"
+
 namespace plumb::pair_cases {
 namespace {
 
@@ -22,6 +24,10 @@ const void* figure_of(Material& m) {
 template <class Shape>
 const void* near_figure_of(Material& m) {
   return kept(near_figure<Shape>(m));
+}
+template <class Shape>
+const void* degenerate_of(Material& m) {
+  return kept(degenerate_form<Shape>(m));
 }
 template <class Shape>
 const void* renamed_of(Material& m, const void* s) {
@@ -64,9 +70,9 @@ const void* spoiled_of(Material& m, const void* of) {
 }
 
 template <class Shape>
-constexpr FigureRow row_of{figure_kind<Shape>,     figure_dimension<Shape>, &figure_of<Shape>,
-                           &near_figure_of<Shape>, &renamed_of<Shape>,      &mapped_of<Shape>,
-                           &spoiled_of<Shape>,     &numbers_of<Shape>,      &drop_of<Shape>};
+constexpr FigureRow row_of{figure_kind<Shape>,    figure_dimension<Shape>, &figure_of<Shape>, &near_figure_of<Shape>,
+                           &degenerate_of<Shape>, &renamed_of<Shape>,      &mapped_of<Shape>, &spoiled_of<Shape>,
+                           &numbers_of<Shape>,    &drop_of<Shape>};
 
 template <class... Shapes>
 constexpr std::array<const FigureRow*, sizeof...(Shapes)> rows_of(Types<Shapes...>) {

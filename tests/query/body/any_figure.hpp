@@ -19,6 +19,7 @@ struct FigureRow {
   int dimension;
   const void* (*figure)(Material&);
   const void* (*near_figure)(Material&);
+  const void* (*degenerate)(Material&);
   const void* (*renamed)(Material&, const void*);
   const void* (*mapped)(const void*, Map&);
   const void* (*spoiled)(Material&, const void*);
@@ -42,6 +43,8 @@ class AnyFigure {
 
 inline AnyFigure figure(const FigureRow& row, Material& m) { return {row, row.figure(m)}; }
 inline AnyFigure near_figure(const FigureRow& row, Material& m) { return {row, row.near_figure(m)}; }
+/// One of query/body/degenerate_forms.hpp.
+inline AnyFigure degenerate(const FigureRow& row, Material& m) { return {row, row.degenerate(m)}; }
 inline AnyFigure renamed(Material& m, const AnyFigure& s) { return {s.row(), s.row().renamed(m, s.shape())}; }
 inline AnyFigure mapped(const AnyFigure& s, Map& map) { return {s.row(), s.row().mapped(s.shape(), map)}; }
 /// One of its numbers is no longer real.

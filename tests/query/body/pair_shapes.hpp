@@ -33,6 +33,14 @@ inline Polygon3 lifted(const RandomPlane& plane, const Polygon2& flat) {
   for (const Point2& p : flat.vertices) polygon.vertices.push_back(plane(p));
   return polygon;
 }
+inline Quadrilateral3 lifted(const RandomPlane& plane, const Quadrilateral2& q) {
+  return {plane(q.a), plane(q.b), plane(q.c), plane(q.d)};
+}
+inline HoledPolygon3 lifted(const RandomPlane& plane, const HoledPolygon2& flat) {
+  HoledPolygon3 polygon{lifted(plane, flat.outer), {}};
+  for (const Polygon2& hole : flat.holes) polygon.holes.push_back(lifted(plane, hole));
+  return polygon;
+}
 
 template <class Vector>
 KDop<Vector> random_k_dop(Material& m, const Directions<Vector>& directions) {
@@ -73,17 +81,13 @@ Shape figure(Material& m) {
     return m.probe3();
   } else if constexpr (std::is_same_v<Shape, Quadrilateral3>) {
     const RandomPlane plane(m);
-    const auto q = m.shape<Quadrilateral2>();
-    return {plane(q.a), plane(q.b), plane(q.c), plane(q.d)};
+    return lifted(plane, m.shape<Quadrilateral2>());
   } else if constexpr (std::is_same_v<Shape, Polygon3>) {
     const RandomPlane plane(m);
     return lifted(plane, m.shape<Polygon2>());
   } else if constexpr (std::is_same_v<Shape, HoledPolygon3>) {
     const RandomPlane plane(m);
-    const auto flat = m.shape<HoledPolygon2>();
-    HoledPolygon3 polygon{lifted(plane, flat.outer), {}};
-    for (const Polygon2& hole : flat.holes) polygon.holes.push_back(lifted(plane, hole));
-    return polygon;
+    return lifted(plane, m.shape<HoledPolygon2>());
   } else if constexpr (std::is_same_v<Shape, KDop2>) {
     static const Directions2 directions = k_dop_directions2(8);
     return random_k_dop(m, directions);

@@ -31,6 +31,10 @@ PLUMB_ASKS(AskRelatable, Relatable<A, B>)
 PLUMB_ASKS(AskContaining, Containing<A, B>)
 PLUMB_ASKS(AskMeasurable, Measurable<A, B>)
 PLUMB_ASKS(AskHittable, Hittable<A, B>)
+PLUMB_ASKS(
+    AskHit, requires(const A& a, const B& b) {
+      { hits(a, b) } -> std::same_as<bool>;
+    })
 PLUMB_ASKS(AskIntersectable, Intersectable<A, B>)
 PLUMB_ASKS(AskTranslating, Collidable<Translating<A>, Translating<B>>)
 PLUMB_ASKS(AskMoving, Collidable<Moving<A>, Moving<B>>)
@@ -104,6 +108,7 @@ TEST(PairTable, SaysWhatCompiles) {
 TEST(PairTable, SaysWhatContainsTakes) { expect_as_compiled<AskContaining>(asked_contains); }
 TEST(PairTable, SaysWhatClosestPointsTakes) { expect_as_compiled<AskMeasurable>(asked_closest); }
 TEST(PairTable, SaysWhatFirstHitTakes) { expect_as_compiled<AskHittable>(asked_hit); }
+TEST(PairTable, SaysWhatHitsTakes) { expect_as_compiled<AskHit>(asked_hit); }
 TEST(PairTable, SaysWhatIntersectionTakes) { expect_as_compiled<AskIntersectable>(asked_intersection); }
 TEST(PairTable, SaysWhatFirstContactTakesAlongLines) { expect_as_compiled<AskTranslating>(asked_translating); }
 TEST(PairTable, SaysWhatFirstContactTakesOfMovingVertices) { expect_as_compiled<AskMoving>(asked_moving); }

@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
 #include <set>
 
+#include "certify/batch/all_threads.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
@@ -334,7 +334,7 @@ TEST(MovingBoxes, AnswerManyThreadsAlike) {
   std::vector<std::vector<BoxHandle>> found(400);
   std::vector<std::optional<HandleHit>> hits(found.size());
   const auto region = [&](std::size_t i) { return moved(boxes[i % boxes.size()], 0.5, 0, -0.5); };
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+  certify::batch::for_each_part(Execution::parallel, found.size(), [&](std::size_t i) {
     found[i] = world.in_box(region(i));
     hits[i] = world.first_hit(Segment3{boxes[i % 300].min, boxes[i * 7 % 300].max});
   });

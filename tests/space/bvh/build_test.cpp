@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/tree_laws.hpp"
 
@@ -76,7 +76,7 @@ TEST_P(Build, IsTheSameForAnyNumberOfThreads) {
   const BoxTree serial = build_box_tree(boxes, o);
   o.execution = Execution::parallel;
   for (const std::size_t threads : {1u, 2u, 5u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     const BoxTree parallel = build_box_tree(boxes, o);
     EXPECT_TRUE(std::ranges::equal(serial.nodes, parallel.nodes)) << threads;
     EXPECT_TRUE(std::ranges::equal(serial.items, parallel.items)) << threads;

@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
@@ -139,7 +139,7 @@ TEST_P(SphereTrees, DependOnNoThreadAndNoTree) {
   const SphereTreeOptions options{GetParam(), 4};
   const SphereTree tree = build_sphere_tree(mesh, options);
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(build_sphere_tree(mesh, options), tree);
     EXPECT_EQ(build_sphere_tree(build_bvh(mesh), options), tree);
   }

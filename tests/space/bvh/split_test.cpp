@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 #include <gmpxx.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
@@ -198,7 +198,7 @@ TEST(Split, IsTheSameOnAnyThreads) {
   for (const BvhMethod method : {BvhMethod::binned, BvhMethod::linear}) {
     const Bvh one = split(mesh, 0.5, method);
     for (const std::size_t threads : {1U, 2U}) {
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      const ThreadLimit control(threads);
       const Bvh many = build_bvh(mesh, {.method = method, .split_share = 0.5F});
       EXPECT_TRUE(std::ranges::equal(one.tree.nodes.view(), many.tree.nodes.view()));
       EXPECT_TRUE(std::ranges::equal(one.tree.items.view(), many.tree.items.view()));

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "space/bvh/meshes.hpp"
+#include "space/bvh/sealed_file.hpp"
 #include "space/bvh/tree_laws.hpp"
 
 namespace plumb {
@@ -63,10 +64,11 @@ class TreeFile : public ::testing::Test {
   }
 };
 
+/// With a value changed, and a checksum that fits: as a program would write it that writes another tree.
 template <class T>
 std::string with(std::string bytes, std::size_t at, T value) {
   std::memcpy(&bytes[at], &value, sizeof value);
-  return bytes;
+  return tree_files::sealed(bytes);
 }
 
 void expect_equal(const Bvh& a, const Bvh& b) {
@@ -111,7 +113,9 @@ TEST_F(TreeFile, NamesWhatIsNoTree) {
   expect_refused(good.substr(0, 60), truncated, "ends after 60 bytes");
   expect_refused(good.substr(0, good.size() - 1), truncated, "its head promises " + std::to_string(good.size()));
   expect_refused(good + "x", truncated, "its head promises");
-  expect_refused(with(good, 8, std::uint32_t{2}), version, "is of version 2, and this library reads 1");
+  expect_refused(good.substr(0, good.size() - 1) + "x", damaged, "another checksum");
+  expect_refused(with(good, 8, std::uint32_t{1}), version,
+                 "is of version 1, and this library reads 2; write it again with write_bvh(path, build_bvh(mesh))");
   expect_refused(with(good, 12, std::uint32_t{0x04030201}), version, "byte order");
   expect_refused(with(good, 16, std::int32_t{5000}), broken_law, "exponent 5000");
   expect_refused(with(good, 24, std::uint64_t{1} << 59), broken_law, "more than 2^32");
@@ -173,7 +177,7 @@ TEST_F(TreeFile, MayHoldALeafOfAnySize) {
   EXPECT_EQ(locate(mapped, Point3{0, 0, 1}), Location::outside);
 }
 
-// Whatever one byte of it becomes, it is refused or a tree that keeps the laws.
+// Whatever one byte of it becomes, and if the checksum is made to fit, it is refused or a tree that keeps the laws.
 TEST_F(TreeFile, TakesNoHarmFromAnyByte) {
   const TriangleMesh mesh = meshes::ring(2);
   write_bvh(path_, build_bvh(mesh));
@@ -183,7 +187,7 @@ TEST_F(TreeFile, TakesNoHarmFromAnyByte) {
     for (const int flip : {0x01, 0x80, 0xff}) {
       std::string bad = good;
       bad[at] = static_cast<char>(bad[at] ^ flip);
-      if (refused(bad)) {
+      if (refused(tree_files::sealed(bad))) {
         ++refusals;
         continue;
       }

@@ -3,10 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "space/bvh/meshes.hpp"
@@ -126,7 +126,7 @@ TYPED_TEST(VolumeTrees, DependOnNoThread) {
   for (const VolumeFit fit : {VolumeFit::quick, VolumeFit::merged}) {
     const auto serial = build_volume_tree<TypeParam>(bvh, {.fit = fit, .execution = Execution::serial});
     for (const std::size_t threads : {1u, 2u}) {
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      const ThreadLimit control(threads);
       EXPECT_TRUE(std::ranges::equal(build_volume_tree<TypeParam>(bvh, {.fit = fit}).nodes, serial.nodes));
     }
   }

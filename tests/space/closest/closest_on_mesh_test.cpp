@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "space/bvh/meshes.hpp"
 
@@ -113,7 +113,7 @@ TEST(ClosestOnMesh, OfManyPointsIsThatOfEach) {
   closest_on_mesh(bvh, points, out, {.execution = Execution::serial});
   EXPECT_EQ(out, expected);
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     std::vector<ClosestOnMesh> again(points.size());
     double last = 0;
     closest_on_mesh(bvh, points, again, {.progress = [&](double share) {

@@ -1,13 +1,13 @@
 // Is what is nearest in a compact tree what is nearest of all triangles, and what the tree says that it is made of?
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
 #include "plumb/surface/read_mesh.hpp"
@@ -99,7 +99,7 @@ void expect_as_in(const TriangleMesh& mesh, std::size_t points_asked) {
   std::vector<ClosestOnMesh> expected(points.size()), found(points.size());
   closest_on_mesh(bvh, points, expected, {.execution = Execution::serial});
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     closest_on_mesh(small, points, found);
     EXPECT_EQ(found, expected);
   }

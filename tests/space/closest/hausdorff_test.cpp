@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <limits>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space/closest/closest_on_mesh.hpp"
 #include "space/bvh/meshes.hpp"
@@ -264,7 +264,7 @@ TEST(Hausdorff, DependsOnNoTreeNorThreads) {
   const auto expected = hausdorff_distance(a, b, {.most_pieces = 2000, .execution = Execution::serial});
   expect_true(hausdorff_from(a, b, {.most_pieces = 2000}), meshes::ring(9), moved, "rings");
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     double last = 0;
     const auto watched = hausdorff_distance(a, b, {.most_pieces = 2000, .progress = [&](double share) {
                                                      EXPECT_GE(share, last);

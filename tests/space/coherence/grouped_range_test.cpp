@@ -2,7 +2,6 @@
 #include "plumb/space/coherence/grouped_range.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <limits>

@@ -2,12 +2,12 @@
 #include "plumb/space/coherence/pair_front.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "space/coherence/frames.hpp"
 
 namespace plumb {
@@ -43,7 +43,7 @@ TEST(PairFront, OfMeshesThatBendIsThatOfADescent) {
       const Pairs expected = intersecting_pairs(a, b, options);
       ASSERT_EQ(front.intersecting_pairs(a, b, options), expected) << m.about() << " frame " << frame;
       {
-        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        const ThreadLimit one(1);
         ASSERT_EQ(serial.intersecting_pairs(a, b, options), expected) << m.about() << " frame " << frame;
       }
       ASSERT_EQ(front.size(), serial.size());

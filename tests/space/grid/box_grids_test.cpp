@@ -1,7 +1,6 @@
 // Does every grid tell the pairs of boxes that brute force tells, each once, while boxes come, go and move?
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "plumb/space/grid/cell_size.hpp"
@@ -288,7 +288,7 @@ TEST(BoxGrids, TellTheSamePairsOnAnyNumberOfThreads) {
   EXPECT_EQ(bits.pairs(), sorted(serial));
   EXPECT_EQ(rows.pairs(), sorted(serial));
   for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit limit(threads);
     EXPECT_EQ(grid.pairs(), serial);
     EXPECT_EQ(levels.pairs(), levels.pairs({.execution = Execution::serial}));
   }

@@ -3,12 +3,12 @@
 #include "plumb/space/kd_tree/figure_tree.hpp"
 
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
 
 #include <numeric>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/kd_tree/figure_range.hpp"
@@ -117,7 +117,7 @@ TEST(AFigureTree, AnswersOfManyThoseOfEach) {
       queries.push_back(p), boxes.push_back(figure_sets::spanned<Aabb3>({p, queries[i / 2], p}));
     }
     for (const std::size_t threads : {1u, 2u}) {
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      const ThreadLimit control(threads);
       const Execution execution = threads == 1 ? Execution::serial : Execution::parallel;
       std::vector<NearestFigure> one(queries.size()), three(3 * queries.size());
       nearest(tree, queries, one, execution);

@@ -2,11 +2,11 @@
 #include "plumb/space/kd_tree/kd_tree.hpp"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 
 #include "certify/sanitized.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "space/kd_tree/point_sets.hpp"
 #include "space/kd_tree/select.hpp"
 
@@ -66,7 +66,7 @@ TYPED_TEST(KdTreeTest, IsTheSameOnAnyNumberOfThreads) {
     const auto all = point_sets::points<TypeParam>(static_cast<Kind>(index), battery::fitting(20'000u), e);
     const auto serial = build_kd_tree(all, {.execution = Execution::serial});
     for (const std::size_t threads : {1u, 2u}) {
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      const ThreadLimit control(threads);
       const auto parallel = build_kd_tree(all);
       EXPECT_EQ(parallel.planes, serial.planes);
       EXPECT_EQ(parallel.axes, serial.axes);

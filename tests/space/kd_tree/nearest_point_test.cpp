@@ -3,7 +3,6 @@
 #include "plumb/space/kd_tree/nearest_point.hpp"
 
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 
@@ -11,6 +10,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/instruction_set.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "space/kd_tree/point_search.hpp"
 #include "space/kd_tree/point_sets.hpp"
@@ -93,7 +93,7 @@ TYPED_TEST(NearestPointTest, OfManyIsThatOfEach) {
     for (const std::string_view set : batch_instruction_sets()) {
       certify::batch::take_instruction_set(set);
       for (const std::size_t threads : {1u, 2u}) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        const ThreadLimit control(threads);
         std::vector<NearestPoint> out(queries.size()), out_k(queries.size() * k);
         nearest(tree, queries, out, threads == 1 ? Execution::serial : Execution::parallel);
         nearest(tree, queries, k, out_k, threads == 1 ? Execution::serial : Execution::parallel);

@@ -2,7 +2,6 @@
 #include "plumb/space/kd_tree/point_range.hpp"
 
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 

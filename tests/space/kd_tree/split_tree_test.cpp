@@ -2,7 +2,6 @@
 #include "plumb/space/kd_tree/split_tree.hpp"
 
 #include <gmock/gmock.h>
-#include <tbb/global_control.h>
 
 #include "certify/golden_statements.hpp"
 #include "certify/mutant_statements.hpp"
@@ -11,6 +10,7 @@
 #include "certify/statements/promised_share.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/judged_proofs.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/aabb/aabb.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query/overlap/overlap.hpp"
@@ -230,7 +230,7 @@ TEST(ASplitTree, IsTheSameOnEveryNumberOfThreads) {
   EXPECT_LE(serial.items.size(), 8 * all.size());
   EXPECT_GT(pairs.size(), battery::reaches_rare ? 1000u : 10u);
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     const auto tree = build_split_tree(all);
     EXPECT_TRUE(are_alike(tree, serial));
     EXPECT_EQ(overlapping_pairs(tree), pairs);

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "space/bvh/meshes.hpp"
 
@@ -90,7 +90,7 @@ std::size_t expect_contacts(const Places& from, const Places& to, const Corners&
   const auto first = first_contact(mesh, serial);
   EXPECT_EQ(first, in_order.empty() ? std::nullopt : std::optional(in_order[0])) << about;
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(contacts_in_motion(mesh, {.separation = separation}), expected) << about;
     EXPECT_EQ(first_contact(mesh, {.separation = separation}), first) << about;
   }

@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <limits>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "query/time_of_impact/posed_motion.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
@@ -73,7 +73,7 @@ void expect_contacts(const PosedMovingMesh& posed, double separation, const Cont
                      const std::string& about) {
   EXPECT_EQ(contacts_in_motion(posed, {.separation = separation, .execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(contacts_in_motion(posed, {.separation = separation}), expected) << about;
   }
 }

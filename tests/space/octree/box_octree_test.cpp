@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "space/octree/octree_laws.hpp"
 #include "space/octree/scenes.hpp"
@@ -119,7 +119,7 @@ TYPED_TEST(BoxTrees, AreTheSameOnAnyNumberOfThreads) {
       const auto serial = built<D>(boxes, {.rule = rule, .execution = Execution::serial});
       const auto pairs = overlapping_pairs(serial, {.execution = Execution::serial});
       for (const std::size_t threads : {1u, 2u}) {
-        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        const ThreadLimit control(threads);
         const auto tree = built<D>(boxes, {.rule = rule});
         EXPECT_EQ(tree.cells, serial.cells);
         EXPECT_EQ(overlapping_pairs(tree), pairs);

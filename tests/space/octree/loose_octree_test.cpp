@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "space/octree/scenes.hpp"
 
@@ -120,7 +120,7 @@ TYPED_TEST(LooseTrees, ManyBoxesAreAnsweredAlikeByThreads) {
   const auto serial = tree.pairs({.execution = Execution::serial});
   EXPECT_FALSE(serial.empty());
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(tree.pairs(), serial);
   }
 }

@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "space/octree/octree_laws.hpp"
 #include "space/octree/scenes.hpp"
@@ -100,7 +100,7 @@ TYPED_TEST(Octrees, IsTheSameOnAnyNumberOfThreads) {
     const auto points = scenes::points_of<D>(family, battery::sanitized ? 5'000 : 50'000, e);
     const auto serial = built<D>(points, {.execution = Execution::serial});
     for (const std::size_t threads : {1u, 2u}) {
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      const ThreadLimit control(threads);
       const auto tree = built<D>(points, {});
       EXPECT_EQ(tree.cells, serial.cells);
       EXPECT_EQ(tree.points, serial.points);

@@ -2,13 +2,13 @@
 // they are made of, where they stand and moved, on one thread and on two?
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <filesystem>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
 #include "plumb/surface/read_mesh.hpp"
@@ -80,7 +80,7 @@ void expect_pairs(const Mesh& a, const Mesh* b, const Pairs& expected, const std
   };
   ASSERT_EQ(all({.execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(all({}), expected) << about;
     EXPECT_EQ(all({.touching = false}), overlapping(expected)) << about;
     EXPECT_EQ(count({}), counted(expected)) << about;

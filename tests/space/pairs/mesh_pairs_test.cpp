@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
@@ -12,6 +11,7 @@
 #include "figure/basic/thrown.hpp"
 #include "oracle/meetings.hpp"
 #include "plumb/certify/instruction_set.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "space/bvh/meshes.hpp"
@@ -71,7 +71,7 @@ void expect_pairs(const Bvh& a, const Bvh* b, const Pairs& expected, const std::
   };
   ASSERT_EQ(all({.execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(all({}), expected) << about;
     EXPECT_EQ(all({.touching = false}), overlapping(expected)) << about;
     EXPECT_EQ(count({}), counted(expected)) << about;

@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "arith/rational_lp.hpp"
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "query/overlap/posed_triangles.hpp"
@@ -96,7 +96,7 @@ TEST(PosedTriangles, AreRelatedAsTheirPointsSay) {
 void expect_pairs(const PosedMesh& a, const PosedMesh& b, const Pairs& expected, const std::string& about) {
   ASSERT_EQ(intersecting_pairs(a, b, {.execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(intersecting_pairs(a, b), expected) << about;
     EXPECT_EQ(intersecting_pairs(a, b, {.touching = false}), overlapping(expected)) << about;
     EXPECT_EQ(count_intersecting_pairs(a, b), counted(expected)) << about;

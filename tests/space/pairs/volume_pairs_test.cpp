@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space/pairs/posed_pairs.hpp"
 #include "space/bvh/meshes.hpp"
@@ -35,7 +35,7 @@ void expect_pairs(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b, cons
                   const std::string& about) {
   ASSERT_EQ(intersecting_pairs(a, b, {.execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(intersecting_pairs(a, b), expected) << about;
   }
   Pairs overlapping = expected;

@@ -1,8 +1,8 @@
 // Are a compact tree's triangles those that intersects says of each one, for every shape that can be asked with?
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "certify/sanitized.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
 #include "space/bvh/meshes.hpp"
@@ -43,7 +43,7 @@ TYPED_TEST(CompactRange, OfManyIsThatOfTheTreeItIsMadeOf) {
   const std::span<const TypeParam> all(shapes);
   const std::vector<Numbers> expected = triangles_meeting(bvh, all);
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(triangles_meeting(small, all), expected);
   }
   EXPECT_THROW((void)triangles_meeting(small, all, {.progress = [](double) { return false; }}), Cancelled);

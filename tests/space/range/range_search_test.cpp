@@ -3,12 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <limits>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "space/bvh/meshes.hpp"
 
@@ -58,7 +58,7 @@ TYPED_TEST(RangeSearch, OfManyIsThatOfEach) {
   const std::span<const TypeParam> all(shapes);
   EXPECT_EQ(triangles_meeting(bvh, all, {.execution = Execution::serial}), expected);
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     EXPECT_EQ(triangles_meeting(bvh, all), expected);
   }
   const auto stopped = [&] { (void)triangles_meeting(bvh, all, {.progress = [](double) { return false; }}); };

@@ -1,13 +1,13 @@
 // Are moved compact meshes answered for as their exactly moved triangles are, and as the trees that they are made of:
 // rays, points within, ranges, what is closest?  And points within those that stand.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/solids.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "query/ray/posed_triangle.hpp"
@@ -76,7 +76,7 @@ TEST(PosedCompactRay, OfManyIsThatOfTheTree) {
     first_hits(rays, whole, expected);
     EXPECT_GT(std::ranges::count_if(expected, [](const auto& h) { return h.has_value(); }), 20);
     for (const std::size_t threads : {1u, 2u}) {
-      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      const ThreadLimit control(threads);
       first_hits(rays, posed, first);
       EXPECT_EQ(first, expected);
     }

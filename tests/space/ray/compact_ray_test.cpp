@@ -1,6 +1,5 @@
 // Do rays at a compact tree find what asking every triangle exactly finds, and what the tree finds that it is made of?
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/instruction_set.hpp"
+#include "plumb/certify/thread_limit.hpp"
 #include "plumb/surface/read_mesh.hpp"
 #include "space/ray/rays.hpp"
 
@@ -158,7 +158,7 @@ TEST(CompactRay, OfManyIsThatOfEachByAnyInstructionSetAndNumberOfThreads) {
   }
   certify::batch::take_instruction_set({});
   for (const std::size_t threads : {1u, 2u}) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const ThreadLimit control(threads);
     expect_as_in(bvh, rays);
   }
   std::vector<std::uint32_t> out(rays.size());

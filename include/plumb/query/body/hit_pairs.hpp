@@ -1,4 +1,4 @@
-// Where does a straight figure first hit another?  The pairs that first_hit takes, what is straight first.
+// Where does a straight figure first hit another?  The pairs that first_hit and hits take, what is straight first.
 //
 // Laws: those of query/body/question_table.hpp.  A line, a ray and a segment hit the same figures.
 // Source: RTCD 2.3.

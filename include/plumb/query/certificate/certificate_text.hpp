@@ -11,9 +11,10 @@
 // body is its "vertices"; or these, one or two, and a "radius"; a box from "min" to "max"; the "center", "axes" and
 // "half" of an oriented box or a rectangle; the "corner", "edges" and "radius" of a lozenge; each with a "pose" of
 // "columns" and "translation" where it stands under one.  A distance has the claim "distance", its "square" and
-// "inset", and the "distance" rounded, "infinity" beyond all doubles.
+// "inset", and the "distance" rounded, "infinity" beyond all doubles.  docs/convex.md has the grammar.
 // Laws: (1) what is read says the same as what was written: the same numbers, corners by the same numbers, the same
-// verdict. (2) A text of any content is read or refused.
+// verdict. (2) A text of any content is read or refused; what is not of the grammar is refused, members that are not
+// known or given twice among it.  (3) docs/verify_certificate.py proves the same texts and refuses the same.
 // A text that is no certificate throws Error, which names its place: "read_certificate: pairs[2].weight is ...".  What
 // is no body throws InvalidShape or NonFinite, as in query/certificate/certificate.hpp.
 // Source: RFC 8259; RTCD 9.1.

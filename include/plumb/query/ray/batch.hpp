@@ -27,7 +27,8 @@ void hits(const AnyRay& ray, const TriangleBatch& many, std::span<std::uint8_t> 
 void hits(const AnyRay& ray, const BoxBatch& many, std::span<std::uint8_t> out);
 
 /// The numbers of all that are hit, ascending.
-std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule = HitRule::closed);
+std::vector<std::uint32_t> all_hits(const AnyRay& ray, const TriangleBatch& many, HitRule rule = HitRule::closed,
+                                    std::vector<std::uint32_t> rows = {});
 
 struct NumberedHit {
   std::uint32_t index;
@@ -38,5 +39,6 @@ struct NumberedHit {
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleBatch& many, HitRule rule = HitRule::closed);
 /// Of a mesh; for more than one ray make a TriangleBatch of it.
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule = HitRule::closed);
+bool hits(const AnyRay& ray, const TriangleMesh& mesh, HitRule rule = HitRule::closed);
 
 }  // namespace plumb

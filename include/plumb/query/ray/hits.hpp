@@ -1,5 +1,5 @@
-// Ray test, slab test: does a ray, a segment or a line hit a triangle, a ball or an axis-aligned box?  Yes or no, at
-// the speed of doubles; polygons in space, cones, lozenges and ellipsoids as well, by what decides their first hit.
+// Ray test, slab test: does a ray, a segment or a line hit a figure?  Yes or no, without the numbers of first_hit, for
+// every figure that first_hit takes; of triangles, balls and axis-aligned boxes at the speed of doubles.
 //
 // Laws: (1) the answer of real arithmetic on closed sets, for all finite doubles: that of first_hit (query/ray/ray.hpp),
 // and of intersects (query/overlap/overlap.hpp), by which it is told.
@@ -11,11 +11,13 @@
 // A negative radius throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 5.3.2, 5.3.3 (figure 5.23), 5.3.6; the moved ray is simulation of simplicity with one vector for the
 // whole scene.
-// Cost: that of intersects (docs/overlap.md); by the half-open rule microseconds where doubles are in doubt.
+// Cost: that of intersects (docs/overlap.md) for triangles, balls and axis-aligned boxes, else what first_hit takes to
+// decide; by the half-open rule microseconds where doubles are in doubt.
 #pragma once
 
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/ray/ray.hpp"
+#include "plumb/query/ray/ray2.hpp"
 
 namespace plumb {
 
@@ -65,11 +67,33 @@ bool hits(const AnyRay& ray, const Triangle3& triangle, HitRule rule = HitRule::
 bool hits(const AnyRay& ray, const Sphere3& sphere);
 bool hits(const AnyRay& ray, const Aabb3& box);
 
-/// Exactly as first_hit decides, without its numbers.
+/// As first_hit decides.
+bool hits(const AnyRay& ray, const Plane3& plane);
+bool hits(const AnyRay& ray, const ThreePointPlane3& plane);
+bool hits(const AnyRay& ray, const Halfspace3& halfspace);
+bool hits(const AnyRay& ray, const Quadrilateral3& quadrilateral);
 bool hits(const AnyRay& ray, const Polygon3& polygon);
 bool hits(const AnyRay& ray, const HoledPolygon3& polygon);
+bool hits(const AnyRay& ray, const Rectangle3& rectangle);
+bool hits(const AnyRay& ray, const Tetrahedron3& tetrahedron);
+bool hits(const AnyRay& ray, const Capsule3& capsule);
+bool hits(const AnyRay& ray, const Cylinder3& cylinder);
 bool hits(const AnyRay& ray, const Cone3& cone);
 bool hits(const AnyRay& ray, const Lozenge3& lozenge);
 bool hits(const AnyRay& ray, const Ellipsoid3& ellipsoid);
+bool hits(const AnyRay& ray, const Obb3& box);
+bool hits(const AnyRay& ray, const KDop3& k_dop);
+bool hits(const AnyRay& ray, const ConvexPolyhedron3& polyhedron);
+
+bool hits(const AnyRay2& ray, const Segment2& segment);
+bool hits(const AnyRay2& ray, const Triangle2& triangle);
+bool hits(const AnyRay2& ray, const Quadrilateral2& quadrilateral);
+bool hits(const AnyRay2& ray, const Polygon2& polygon);
+bool hits(const AnyRay2& ray, const HoledPolygon2& polygon);
+bool hits(const AnyRay2& ray, const Circle2& circle);
+bool hits(const AnyRay2& ray, const Aabb2& box);
+bool hits(const AnyRay2& ray, const Obb2& box);
+bool hits(const AnyRay2& ray, const Capsule2& capsule);
+bool hits(const AnyRay2& ray, const KDop2& k_dop);
 
 }  // namespace plumb

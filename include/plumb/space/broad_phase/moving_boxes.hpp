@@ -98,10 +98,11 @@ class MovingBoxes {
   /// Valid until the next call.
   const BoxPairChanges& changes();
 
-  [[nodiscard]] std::vector<HandlePair> pairs() const;
+  [[nodiscard]] std::vector<HandlePair> pairs(std::vector<HandlePair> rows = {}) const;
 
   /// Ascending.
-  [[nodiscard]] std::vector<BoxHandle> in_box(const Aabb3& box, const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<BoxHandle> in_box(const Aabb3& box, const InBoxOptions& options = {},
+                                              std::vector<BoxHandle> rows = {}) const;
   /// Of a ray, a segment or a line.
   [[nodiscard]] std::optional<HandleHit> first_hit(const AnyRay& ray) const;
 

@@ -80,19 +80,23 @@ struct BroadPhaseOptions {
   BroadPhaseMethod method = BroadPhaseMethod::automatic;
 };
 
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> boxes, const BroadPhaseOptions& options = {});
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> boxes, const BroadPhaseOptions& options = {});
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> boxes, const BroadPhaseOptions& options = {});
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> boxes, const BroadPhaseOptions& options = {});
+std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> boxes, const BroadPhaseOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
+std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> boxes, const BroadPhaseOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
+std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> boxes, const BroadPhaseOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
+std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> boxes, const BroadPhaseOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
 
 std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b,
-                                       const BroadPhaseOptions& options = {});
+                                       const BroadPhaseOptions& options = {}, std::vector<BoxPair> rows = {});
 std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b,
-                                       const BroadPhaseOptions& options = {});
+                                       const BroadPhaseOptions& options = {}, std::vector<BoxPair> rows = {});
 std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> b,
-                                       const BroadPhaseOptions& options = {});
+                                       const BroadPhaseOptions& options = {}, std::vector<BoxPair> rows = {});
 std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> a, std::span<const FloatBox3> b,
-                                       const BroadPhaseOptions& options = {});
+                                       const BroadPhaseOptions& options = {}, std::vector<BoxPair> rows = {});
 
 /// Told instead of returned.
 void overlapping_pairs(std::span<const Aabb2> boxes, const BoxPairSink& to, const BroadPhaseOptions& options = {});

@@ -4,14 +4,20 @@
 //   Bvh bvh = map_bvh("part.bvh");                 // pages come from the file when they are looked at
 //
 // A file is a head of 128 bytes ("plumbbvh", version, byte order, the frame's exponent, the numbers of nodes, vertices
-// and slots, the length), then nodes, vertices, triangles and items as they lie in memory.
-// Laws: (1) what is read or mapped equals what was written, to the bit.  (2) Before a tree is handed out, every law of
-//       box_tree.hpp and bvh.hpp is looked at, so no file makes a question read out of bounds, run forever or miss a
-//       triangle that it holds.  (3) A file appears under its name whole or not at all.
-// Errors: BvhFileError, whose text names the file, what is wrong where, and the mend.
-// Who changes or cuts a file while it is mapped breaks (2) as with any mapped file.
-// Source: RTCD 6.6.
-// Cost: some 50 ns a triangle to look through it and to make its wide form, a tenth of building.
+// and slots, the length; its last eight bytes are a checksum of all the others), then nodes, vertices, triangles and
+// items as they lie in memory.
+// Laws: (1) what is read or mapped equals what was written, to the bit: a file of which up to 32 bits in a row are
+//       others is refused, and of changes at random no more than one in 2^32 passes.  (2) Before a tree is handed out,
+//       every law of box_tree.hpp and bvh.hpp is looked at, so no file makes a question read out of bounds, run forever
+//       or miss a triangle that it holds, not even one whose checksum was made to fit.  (3) A file appears under its name
+//       whole or not at all.
+// Errors: BvhFileError, whose text names the file, what is wrong where, and the mend.  Files of version 1 have no
+// checksum and are refused.
+// Who changes or cuts a file while it is mapped breaks (1) and (2) as with any mapped file.
+// Source: RTCD 6.6; RFC 1950 and RFC 1952 for the two halves of the checksum.
+// Cost: mapping looks at every byte, so that all of the file passes through memory: a third of the time of building.  2
+// million triangles, 100 MB, take 0.32 s, of which the checksum 0.06 (0.6 s a gigabyte), the rest the laws and the wide
+// form; so the checksum cannot be put off.
 #pragma once
 
 #include <string>
@@ -28,6 +34,7 @@ enum class BvhFileProblem : unsigned char {
   not_a_tree,  // it starts with other bytes
   version,     // of another version of the format, or another byte order
   truncated,   // it is shorter or longer than its head says
+  damaged,     // its bytes are not those that were written
   broken_law,  // its contents are no tree
 };
 

@@ -51,8 +51,9 @@ class PortalCells {
   /// Three points of its plane, by which orient3d is positive of what lies on the side of this cell.
   [[nodiscard]] std::array<Point3, 3> plane_before(std::uint32_t portal, std::uint32_t cell) const;
 
-  [[nodiscard]] std::vector<std::uint32_t> cells_holding(const Point3& point) const;
-  [[nodiscard]] std::vector<std::uint32_t> portals_at(const Point3& point) const;
+  [[nodiscard]] std::vector<std::uint32_t> cells_holding(const Point3& point,
+                                                         std::vector<std::uint32_t> rows = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> portals_at(const Point3& point, std::vector<std::uint32_t> rows = {}) const;
 
   /// Throws InvalidShape, naming the function.
   void require_cell(std::string_view function, std::uint32_t cell) const;

@@ -53,15 +53,19 @@ std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p);
 void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
 
-std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k);
+std::vector<NearTriangle> nearest_triangles(const Bvh& mesh, const Point3& p, std::size_t k,
+                                            std::vector<NearTriangle> rows = {});
 
-std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance);
+std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, double distance,
+                                           std::vector<NearTriangle> rows = {});
 
 /// The same of a compact tree.
 std::optional<ClosestOnMesh> closest_on_mesh(const CompactBvh& mesh, const Point3& p);
 void closest_on_mesh(const CompactBvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
-std::vector<NearTriangle> nearest_triangles(const CompactBvh& mesh, const Point3& p, std::size_t k);
-std::vector<NearTriangle> triangles_within(const CompactBvh& mesh, const Point3& p, double distance);
+std::vector<NearTriangle> nearest_triangles(const CompactBvh& mesh, const Point3& p, std::size_t k,
+                                            std::vector<NearTriangle> rows = {});
+std::vector<NearTriangle> triangles_within(const CompactBvh& mesh, const Point3& p, double distance,
+                                           std::vector<NearTriangle> rows = {});
 
 }  // namespace plumb

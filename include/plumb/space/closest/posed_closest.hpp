@@ -22,16 +22,20 @@ std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3
 void closest_on_mesh(const PosedMesh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
 
-std::vector<NearTriangle> nearest_triangles(const PosedMesh& mesh, const Point3& p, std::size_t k);
+std::vector<NearTriangle> nearest_triangles(const PosedMesh& mesh, const Point3& p, std::size_t k,
+                                            std::vector<NearTriangle> rows = {});
 
-std::vector<NearTriangle> triangles_within(const PosedMesh& mesh, const Point3& p, double distance);
+std::vector<NearTriangle> triangles_within(const PosedMesh& mesh, const Point3& p, double distance,
+                                           std::vector<NearTriangle> rows = {});
 
 /// The same of a compact tree.
 std::optional<ClosestOnMesh> closest_on_mesh(const PosedCompactMesh& mesh, const Point3& p);
 void closest_on_mesh(const PosedCompactMesh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
-std::vector<NearTriangle> nearest_triangles(const PosedCompactMesh& mesh, const Point3& p, std::size_t k);
-std::vector<NearTriangle> triangles_within(const PosedCompactMesh& mesh, const Point3& p, double distance);
+std::vector<NearTriangle> nearest_triangles(const PosedCompactMesh& mesh, const Point3& p, std::size_t k,
+                                            std::vector<NearTriangle> rows = {});
+std::vector<NearTriangle> triangles_within(const PosedCompactMesh& mesh, const Point3& p, double distance,
+                                           std::vector<NearTriangle> rows = {});
 
 std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b);
 

@@ -31,10 +31,12 @@ concept GroupedShape = std::same_as<Shape, Aabb3> || std::same_as<Shape, Segment
 /// Of each shape.
 template <GroupedShape Shape>
 std::vector<std::vector<std::uint32_t>> grouped_triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
-                                                                  const RangeOptions& options = {});
+                                                                  const RangeOptions& options = {},
+                                                                  std::vector<std::vector<std::uint32_t>> rows = {});
 
 /// Of all shapes; on one thread.
 template <GroupedShape Shape>
-std::vector<std::uint32_t> triangles_meeting_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen);
+std::vector<std::uint32_t> triangles_meeting_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen,
+                                                 std::vector<std::uint32_t> rows = {});
 
 }  // namespace plumb

@@ -32,7 +32,7 @@ class KeptRange {
 
   /// The numbers, ascending.
   template <KeptRangeShape Shape>
-  std::vector<std::uint32_t> triangles_meeting(const Shape& shape);
+  std::vector<std::uint32_t> triangles_meeting(const Shape& shape, std::vector<std::uint32_t> rows = {});
 
   void forget() { region_ = none; }
   /// Was the last query answered by the row; and of how many triangles is that?

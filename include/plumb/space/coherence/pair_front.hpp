@@ -64,10 +64,14 @@ struct Front {
 
 class PairFront {
  public:
-  std::vector<TrianglePair> intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options = {});
-  std::vector<TrianglePair> intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options = {});
-  std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOptions& options = {});
-  std::vector<TrianglePair> self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options = {});
+  std::vector<TrianglePair> intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options = {},
+                                               std::vector<TrianglePair> rows = {});
+  std::vector<TrianglePair> intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options = {},
+                                               std::vector<TrianglePair> rows = {});
+  std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOptions& options = {},
+                                                    std::vector<TrianglePair> rows = {});
+  std::vector<TrianglePair> self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options = {},
+                                                    std::vector<TrianglePair> rows = {});
 
   /// Pairs of nodes in it.
   [[nodiscard]] std::size_t size() const { return front_.pairs.size(); }

@@ -40,9 +40,10 @@ class HierarchicalGrid {
   void remove(std::uint32_t handle);
   void move(std::uint32_t handle, const Box& box);
 
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
+  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
   /// Ascending.
-  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
+                                                  std::vector<std::uint32_t> rows = {}) const;
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
   [[nodiscard]] bool contains(std::uint32_t handle) const { return boxes_.contains(handle); }

@@ -51,13 +51,14 @@ class ListGrid {
   void remove(std::uint32_t handle);
   void move(std::uint32_t handle, const Box& box);
 
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
+  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
   /// Ascending.  Stamps and bits are made to fit.
-  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
-  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitStamps& seen,
-                                                  const InBoxOptions& options = {}) const;
-  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitBits& seen,
-                                                  const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
+                                                  std::vector<std::uint32_t> rows = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitStamps& seen, const InBoxOptions& options = {},
+                                                  std::vector<std::uint32_t> rows = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, VisitBits& seen, const InBoxOptions& options = {},
+                                                  std::vector<std::uint32_t> rows = {}) const;
 
   [[nodiscard]] std::size_t size() const { return boxes_.size(); }
   [[nodiscard]] bool contains(std::uint32_t handle) const { return boxes_.contains(handle); }
@@ -83,7 +84,8 @@ class ListGrid {
   void link(std::uint32_t handle);
   void unlink(std::uint32_t handle);
   template <class Seen>
-  [[nodiscard]] std::vector<std::uint32_t> found(const Box& box, bool touching, Seen& seen) const;
+  [[nodiscard]] std::vector<std::uint32_t> found(const Box& box, bool touching, Seen& seen,
+                                                 std::vector<std::uint32_t> rows) const;
 
   GridOptions options_;
   double size_, per_size_;

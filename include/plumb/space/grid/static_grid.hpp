@@ -31,9 +31,10 @@ class StaticGrid {
   explicit StaticGrid(std::span<const Box> boxes, const GridOptions& options = {});
 
   /// All at a time.
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
+  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
   /// One at a time.
-  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
+                                                  std::vector<std::uint32_t> rows = {}) const;
 
   [[nodiscard]] double cell_size() const { return size_; }
   [[nodiscard]] std::size_t cells() const { return starts_.empty() ? 0 : starts_.size() - 1; }

@@ -23,9 +23,13 @@ namespace plumb {
 enum class KdCells : unsigned char { closed, half_open };
 
 /// The numbers of the leaves.
-std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Segment2& segment, KdCells cells = KdCells::closed);
-std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Ray2& ray, KdCells cells = KdCells::closed);
-std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Segment3& segment, KdCells cells = KdCells::closed);
-std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Ray3& ray, KdCells cells = KdCells::closed);
+std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Segment2& segment, KdCells cells = KdCells::closed,
+                                       std::vector<std::uint32_t> rows = {});
+std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Ray2& ray, KdCells cells = KdCells::closed,
+                                       std::vector<std::uint32_t> rows = {});
+std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Segment3& segment, KdCells cells = KdCells::closed,
+                                       std::vector<std::uint32_t> rows = {});
+std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Ray3& ray, KdCells cells = KdCells::closed,
+                                       std::vector<std::uint32_t> rows = {});
 
 }  // namespace plumb

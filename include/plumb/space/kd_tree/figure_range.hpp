@@ -17,16 +17,16 @@ using FigureLists = PointLists;
 
 template <KeptFigure Figure>
 std::vector<std::uint32_t> within(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p,
-                                  double radius);
+                                  double radius, std::vector<std::uint32_t> rows = {});
 template <KeptFigure Figure>
 std::vector<std::uint32_t> in_box(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Box& box,
-                                  const InBoxOptions& options = {});
+                                  const InBoxOptions& options = {}, std::vector<std::uint32_t> rows = {});
 
 template <KeptFigure Figure>
 FigureLists within(const FigureTree<Figure>& tree, std::span<const typename FigureTree<Figure>::Point> queries,
-                   double radius, Execution execution = Execution::parallel);
+                   double radius, Execution execution = Execution::parallel, FigureLists lists = {});
 template <KeptFigure Figure>
 FigureLists in_box(const FigureTree<Figure>& tree, std::span<const typename FigureTree<Figure>::Box> boxes,
-                   Execution execution = Execution::parallel, const InBoxOptions& options = {});
+                   Execution execution = Execution::parallel, const InBoxOptions& options = {}, FigureLists lists = {});
 
 }  // namespace plumb

@@ -93,15 +93,17 @@ TreeOfGrids<Box> build_tree_of_grids(const std::vector<Box>& boxes, const Hybrid
 
 template <class Box>
 std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box,
-                                  const InBoxOptions& options = {});
+                                  const InBoxOptions& options = {}, std::vector<std::uint32_t> rows = {});
 template <class Box>
 std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box,
-                                  const InBoxOptions& options = {});
+                                  const InBoxOptions& options = {}, std::vector<std::uint32_t> rows = {});
 
 template <class Box>
-std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>& index, const BoxPairOptions& options = {});
+std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>& index, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
 template <class Box>
-std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>& index, const BoxPairOptions& options = {});
+std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>& index, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
 
 template <class Box>
 NearestFigure nearest(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Point& p);
@@ -110,10 +112,10 @@ NearestFigure nearest(const TreeOfGrids<Box>& index, const typename TreeOfGrids<
 /// The k nearest, nearest first.
 template <class Box>
 std::vector<NearestFigure> nearest(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Point& p,
-                                   std::size_t k, Ties ties = Ties::lowest);
+                                   std::size_t k, Ties ties = Ties::lowest, std::vector<NearestFigure> rows = {});
 template <class Box>
 std::vector<NearestFigure> nearest(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Point& p,
-                                   std::size_t k, Ties ties = Ties::lowest);
+                                   std::size_t k, Ties ties = Ties::lowest, std::vector<NearestFigure> rows = {});
 
 /// Bytes that its arrays take.
 template <class Box>

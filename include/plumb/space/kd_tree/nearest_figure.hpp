@@ -30,7 +30,7 @@ NearestFigure nearest(const FigureTree<Figure>& tree, const typename FigureTree<
 /// The k nearest, nearest first.
 template <KeptFigure Figure>
 std::vector<NearestFigure> nearest(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p,
-                                   std::size_t k, Ties ties = Ties::lowest);
+                                   std::size_t k, Ties ties = Ties::lowest, std::vector<NearestFigure> rows = {});
 
 /// One of each query.
 template <KeptFigure Figure>

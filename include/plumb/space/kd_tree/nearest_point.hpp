@@ -36,7 +36,7 @@ NearestPoint nearest(const KdTree<Point>& tree, const std::type_identity_t<Point
 /// The k nearest, nearest first.
 template <class Point>
 std::vector<NearestPoint> nearest(const KdTree<Point>& tree, const std::type_identity_t<Point>& p, std::size_t k,
-                                  Ties ties = Ties::lowest);
+                                  Ties ties = Ties::lowest, std::vector<NearestPoint> rows = {});
 
 /// One of each query.
 template <class Point>

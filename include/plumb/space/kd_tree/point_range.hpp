@@ -48,16 +48,17 @@ struct PointLists {
 };
 
 template <class Point>
-std::vector<std::uint32_t> within(const KdTree<Point>& tree, const std::type_identity_t<Point>& p, double radius);
+std::vector<std::uint32_t> within(const KdTree<Point>& tree, const std::type_identity_t<Point>& p, double radius,
+                                  std::vector<std::uint32_t> rows = {});
 template <class Point>
 std::vector<std::uint32_t> in_box(const KdTree<Point>& tree, const space::BoxOf<Point>& box,
-                                  const InBoxOptions& options = {});
+                                  const InBoxOptions& options = {}, std::vector<std::uint32_t> rows = {});
 
 template <class Point>
 PointLists within(const KdTree<Point>& tree, std::span<const std::type_identity_t<Point>> queries, double radius,
-                  Execution execution = Execution::parallel);
+                  Execution execution = Execution::parallel, PointLists lists = {});
 template <class Point>
 PointLists in_box(const KdTree<Point>& tree, std::span<const space::BoxOf<Point>> boxes,
-                  Execution execution = Execution::parallel, const InBoxOptions& options = {});
+                  Execution execution = Execution::parallel, const InBoxOptions& options = {}, PointLists lists = {});
 
 }  // namespace plumb

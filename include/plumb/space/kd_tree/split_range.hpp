@@ -17,9 +17,10 @@ namespace plumb {
 
 template <KeptFigure Figure>
 std::vector<std::uint32_t> in_box(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Box& box,
-                                  const InBoxOptions& options = {});
+                                  const InBoxOptions& options = {}, std::vector<std::uint32_t> rows = {});
 
 template <KeptFigure Figure>
-std::vector<BoxPair> overlapping_pairs(const SplitTree<Figure>& tree, const BoxPairOptions& options = {});
+std::vector<BoxPair> overlapping_pairs(const SplitTree<Figure>& tree, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
 
 }  // namespace plumb

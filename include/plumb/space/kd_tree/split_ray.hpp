@@ -22,10 +22,10 @@ namespace plumb {
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree,
                                        const typename SplitTree<Figure>::Segment& segment,
-                                       KdCells cells = KdCells::closed);
+                                       KdCells cells = KdCells::closed, std::vector<std::uint32_t> rows = {});
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray,
-                                       KdCells cells = KdCells::closed);
+                                       KdCells cells = KdCells::closed, std::vector<std::uint32_t> rows = {});
 
 template <KeptFigure Figure>
 struct FigureHit {

@@ -42,9 +42,11 @@ struct MotionContactOptions {
   Progress progress = {};
 };
 
-std::vector<MotionContact> contacts_in_motion(const MovingMesh& mesh, const MotionContactOptions& options = {});
+std::vector<MotionContact> contacts_in_motion(const MovingMesh& mesh, const MotionContactOptions& options = {},
+                                              std::vector<MotionContact> rows = {});
 
-std::vector<MotionContact> contacts_by_time(const MovingMesh& mesh, const MotionContactOptions& options = {});
+std::vector<MotionContact> contacts_by_time(const MovingMesh& mesh, const MotionContactOptions& options = {},
+                                            std::vector<MotionContact> rows = {});
 
 std::optional<MotionContact> first_contact(const MovingMesh& mesh, const MotionContactOptions& options = {});
 

@@ -27,9 +27,11 @@ struct PosedMovingMesh {
   PosedMovingMesh(MovingMesh&&, const Pose&, const Pose&) = delete;  // which would not live
 };
 
-std::vector<MotionContact> contacts_in_motion(const PosedMovingMesh& mesh, const MotionContactOptions& options = {});
+std::vector<MotionContact> contacts_in_motion(const PosedMovingMesh& mesh, const MotionContactOptions& options = {},
+                                              std::vector<MotionContact> rows = {});
 
-std::vector<MotionContact> contacts_by_time(const PosedMovingMesh& mesh, const MotionContactOptions& options = {});
+std::vector<MotionContact> contacts_by_time(const PosedMovingMesh& mesh, const MotionContactOptions& options = {},
+                                            std::vector<MotionContact> rows = {});
 
 std::optional<MotionContact> first_contact(const PosedMovingMesh& mesh, const MotionContactOptions& options = {});
 

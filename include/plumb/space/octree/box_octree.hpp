@@ -61,10 +61,14 @@ OwnItems own_items(const CellTree<D>& tree, std::uint32_t node) {
 BoxOctree build_octree(std::span<const Aabb3> boxes, const BoxOctreeOptions& options = {});
 BoxQuadtree build_quadtree(std::span<const Aabb2> boxes, const BoxOctreeOptions& options = {});
 
-std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box, const InBoxOptions& options = {});
-std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box, const InBoxOptions& options = {});
+std::vector<std::uint32_t> in_box(const BoxOctree& tree, const Aabb3& box, const InBoxOptions& options = {},
+                                  std::vector<std::uint32_t> rows = {});
+std::vector<std::uint32_t> in_box(const BoxQuadtree& tree, const Aabb2& box, const InBoxOptions& options = {},
+                                  std::vector<std::uint32_t> rows = {});
 
-std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options = {});
-std::vector<BoxPair> overlapping_pairs(const BoxQuadtree& tree, const BoxPairOptions& options = {});
+std::vector<BoxPair> overlapping_pairs(const BoxOctree& tree, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
+std::vector<BoxPair> overlapping_pairs(const BoxQuadtree& tree, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
 
 }  // namespace plumb

@@ -68,9 +68,10 @@ class CellWalker {
 };
 
 template <std::size_t D>
-std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk);
+std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk,
+                                       std::vector<std::uint32_t> rows = {});
 template <std::size_t D>
 std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment,
-                                       CellWalk walk);
+                                       CellWalk walk, std::vector<std::uint32_t> rows = {});
 
 }  // namespace plumb

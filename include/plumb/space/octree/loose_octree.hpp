@@ -49,8 +49,9 @@ class LooseCells {
   [[nodiscard]] std::uint64_t code(std::uint32_t handle) const;
   [[nodiscard]] const CellFrame<D>& frame() const { return frame_; }
 
-  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {}) const;
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
+                                                  std::vector<std::uint32_t> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
 
  private:
   struct Cell {

@@ -37,7 +37,9 @@ using PointQuadtree = PointCells<2>;
 PointOctree build_octree(std::span<const Point3> points, const OctreeOptions& options = {});
 PointQuadtree build_quadtree(std::span<const Point2> points, const OctreeOptions& options = {});
 
-std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box, const InBoxOptions& options = {});
-std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box, const InBoxOptions& options = {});
+std::vector<std::uint32_t> in_box(const PointOctree& tree, const Aabb3& box, const InBoxOptions& options = {},
+                                  std::vector<std::uint32_t> rows = {});
+std::vector<std::uint32_t> in_box(const PointQuadtree& tree, const Aabb2& box, const InBoxOptions& options = {},
+                                  std::vector<std::uint32_t> rows = {});
 
 }  // namespace plumb

@@ -16,19 +16,23 @@
 
 namespace plumb {
 
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> boxes, const BoxPairOptions& options = {});
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> boxes, const BoxPairOptions& options = {});
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> boxes, const BoxPairOptions& options = {});
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> boxes, const BoxPairOptions& options = {});
+std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> boxes, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
+std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> boxes, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
+std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> boxes, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
+std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> boxes, const BoxPairOptions& options = {},
+                                       std::vector<BoxPair> rows = {});
 
 /// Of two sets.
 std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b,
-                                       const BoxPairOptions& options = {});
+                                       const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {});
 std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b,
-                                       const BoxPairOptions& options = {});
+                                       const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {});
 std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> b,
-                                       const BoxPairOptions& options = {});
+                                       const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {});
 std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> a, std::span<const FloatBox3> b,
-                                       const BoxPairOptions& options = {});
+                                       const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {});
 
 }  // namespace plumb

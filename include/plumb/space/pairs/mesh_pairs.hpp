@@ -46,8 +46,10 @@ struct PairCount {
   friend bool operator==(const PairCount&, const PairCount&) = default;
 };
 
-std::vector<TrianglePair> intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options = {});
-std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOptions& options = {});
+std::vector<TrianglePair> intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options = {},
+                                             std::vector<TrianglePair> rows = {});
+std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOptions& options = {},
+                                                  std::vector<TrianglePair> rows = {});
 
 /// No pair is kept in memory.
 PairCount count_intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options = {});
@@ -59,17 +61,19 @@ std::optional<TrianglePair> any_self_intersecting_pair(const Bvh& mesh, const Pa
 /// intersection(triangle, triangle) of each pair, in their order; of neighbors with what they share.  A number that
 /// names no triangle throws InvalidShape.
 std::vector<Intersection3> intersections(const Bvh& a, const Bvh& b, std::span<const TrianglePair> pairs,
-                                         const PairOptions& options = {});
+                                         const PairOptions& options = {}, std::vector<Intersection3> rows = {});
 
 /// The same of compact trees.
-std::vector<TrianglePair> intersecting_pairs(const CompactBvh& a, const CompactBvh& b, const PairOptions& options = {});
-std::vector<TrianglePair> self_intersecting_pairs(const CompactBvh& mesh, const PairOptions& options = {});
+std::vector<TrianglePair> intersecting_pairs(const CompactBvh& a, const CompactBvh& b, const PairOptions& options = {},
+                                             std::vector<TrianglePair> rows = {});
+std::vector<TrianglePair> self_intersecting_pairs(const CompactBvh& mesh, const PairOptions& options = {},
+                                                  std::vector<TrianglePair> rows = {});
 PairCount count_intersecting_pairs(const CompactBvh& a, const CompactBvh& b, const PairOptions& options = {});
 PairCount count_self_intersecting_pairs(const CompactBvh& mesh, const PairOptions& options = {});
 std::optional<TrianglePair> any_intersecting_pair(const CompactBvh& a, const CompactBvh& b,
                                                   const PairOptions& options = {});
 std::optional<TrianglePair> any_self_intersecting_pair(const CompactBvh& mesh, const PairOptions& options = {});
 std::vector<Intersection3> intersections(const CompactBvh& a, const CompactBvh& b, std::span<const TrianglePair> pairs,
-                                         const PairOptions& options = {});
+                                         const PairOptions& options = {}, std::vector<Intersection3> rows = {});
 
 }  // namespace plumb

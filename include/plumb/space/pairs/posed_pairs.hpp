@@ -16,8 +16,10 @@
 
 namespace plumb {
 
-std::vector<TrianglePair> intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options = {});
-std::vector<TrianglePair> self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options = {});
+std::vector<TrianglePair> intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options = {},
+                                             std::vector<TrianglePair> rows = {});
+std::vector<TrianglePair> self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options = {},
+                                                  std::vector<TrianglePair> rows = {});
 
 PairCount count_intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options = {});
 PairCount count_self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options = {});
@@ -28,12 +30,13 @@ std::optional<TrianglePair> any_self_intersecting_pair(const PosedMesh& mesh, co
 
 /// What each pair has in common, of the exact images.
 std::vector<Intersection3> intersections(const PosedMesh& a, const PosedMesh& b, std::span<const TrianglePair> pairs,
-                                         const PairOptions& options = {});
+                                         const PairOptions& options = {}, std::vector<Intersection3> rows = {});
 
 /// The same of compact trees.
 std::vector<TrianglePair> intersecting_pairs(const PosedCompactMesh& a, const PosedCompactMesh& b,
-                                             const PairOptions& options = {});
-std::vector<TrianglePair> self_intersecting_pairs(const PosedCompactMesh& mesh, const PairOptions& options = {});
+                                             const PairOptions& options = {}, std::vector<TrianglePair> rows = {});
+std::vector<TrianglePair> self_intersecting_pairs(const PosedCompactMesh& mesh, const PairOptions& options = {},
+                                                  std::vector<TrianglePair> rows = {});
 PairCount count_intersecting_pairs(const PosedCompactMesh& a, const PosedCompactMesh& b,
                                    const PairOptions& options = {});
 PairCount count_self_intersecting_pairs(const PosedCompactMesh& mesh, const PairOptions& options = {});
@@ -41,6 +44,7 @@ std::optional<TrianglePair> any_intersecting_pair(const PosedCompactMesh& a, con
                                                   const PairOptions& options = {});
 std::optional<TrianglePair> any_self_intersecting_pair(const PosedCompactMesh& mesh, const PairOptions& options = {});
 std::vector<Intersection3> intersections(const PosedCompactMesh& a, const PosedCompactMesh& b,
-                                         std::span<const TrianglePair> pairs, const PairOptions& options = {});
+                                         std::span<const TrianglePair> pairs, const PairOptions& options = {},
+                                         std::vector<Intersection3> rows = {});
 
 }  // namespace plumb

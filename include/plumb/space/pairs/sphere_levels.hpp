@@ -33,7 +33,7 @@ bool spheres_meet(const SphereTree& a, std::uint32_t level_a, const SphereTree& 
 
 /// Ascending by a, then b.
 std::vector<SpherePair> meeting_spheres(const SphereTree& a, std::uint32_t level_a, const SphereTree& b,
-                                        std::uint32_t level_b);
+                                        std::uint32_t level_b, std::vector<SpherePair> rows = {});
 
 struct CollisionCheckOptions {
   std::size_t most_tests = ~std::size_t{0};  // of two spheres; a level that needs more is not begun

@@ -22,7 +22,7 @@ namespace plumb {
 /// Of the volumes Sphere3, Aabb3, Obb3 and KDop3; k-DOPs of the same directions.
 template <class Volume>
 std::vector<TrianglePair> intersecting_pairs(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b,
-                                             const PairOptions& options = {});
+                                             const PairOptions& options = {}, std::vector<TrianglePair> rows = {});
 
 template <class Volume>
 std::optional<TrianglePair> any_intersecting_pair(const VolumeMesh<Volume>& a, const VolumeMesh<Volume>& b,

@@ -17,16 +17,20 @@
 namespace plumb {
 
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const PosedMesh& mesh, const Shape& shape);
+std::vector<std::uint32_t> triangles_meeting(const PosedMesh& mesh, const Shape& shape,
+                                             std::vector<std::uint32_t> rows = {});
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const PosedCompactMesh& mesh, const Shape& shape);
+std::vector<std::uint32_t> triangles_meeting(const PosedCompactMesh& mesh, const Shape& shape,
+                                             std::vector<std::uint32_t> rows = {});
 
 /// Of each shape.
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedMesh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options = {});
+                                                          const RangeOptions& options = {},
+                                                          std::vector<std::vector<std::uint32_t>> rows = {});
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const PosedCompactMesh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options = {});
+                                                          const RangeOptions& options = {},
+                                                          std::vector<std::vector<std::uint32_t>> rows = {});
 
 }  // namespace plumb

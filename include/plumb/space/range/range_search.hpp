@@ -40,16 +40,19 @@ struct RangeOptions {
 };
 
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const Bvh& mesh, const Shape& shape);
+std::vector<std::uint32_t> triangles_meeting(const Bvh& mesh, const Shape& shape, std::vector<std::uint32_t> rows = {});
 template <RangeShape Shape>
-std::vector<std::uint32_t> triangles_meeting(const CompactBvh& mesh, const Shape& shape);
+std::vector<std::uint32_t> triangles_meeting(const CompactBvh& mesh, const Shape& shape,
+                                             std::vector<std::uint32_t> rows = {});
 
 /// Of each shape.
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options = {});
+                                                          const RangeOptions& options = {},
+                                                          std::vector<std::vector<std::uint32_t>> rows = {});
 template <RangeShape Shape>
 std::vector<std::vector<std::uint32_t>> triangles_meeting(const CompactBvh& mesh, std::span<const Shape> shapes,
-                                                          const RangeOptions& options = {});
+                                                          const RangeOptions& options = {},
+                                                          std::vector<std::vector<std::uint32_t>> rows = {});
 
 }  // namespace plumb

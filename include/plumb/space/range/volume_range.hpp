@@ -28,18 +28,18 @@ void make_ascending(std::vector<std::uint32_t>& numbers);
 
 template <class Volume, class Shape>
 requires(RelatedPair<Shape, Volume>&& RelatedPair<Triangle3, Shape>) std::vector<std::uint32_t> triangles_meeting(
-    const Bvh& mesh, const VolumeTree<Volume>& volumes, const Shape& figure) {
+    const Bvh& mesh, const VolumeTree<Volume>& volumes, const Shape& figure, std::vector<std::uint32_t> rows = {}) {
   space::require_tree_of("triangles_meeting", "volumes", mesh, volumes);
-  std::vector<std::uint32_t> items;
+  rows.clear();
   descend(
       volumes, [&](const VolumeNode<Volume>& node) { return intersects(figure, node.volume); },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          if (intersects(mesh.triangle(slot), figure)) items.push_back(mesh.tree.items[slot]);
+          if (intersects(mesh.triangle(slot), figure)) rows.push_back(mesh.tree.items[slot]);
         }
       });
-  space::make_ascending(items);
-  return items;
+  space::make_ascending(rows);
+  return rows;
 }
 
 }  // namespace plumb

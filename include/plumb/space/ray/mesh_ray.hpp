@@ -36,7 +36,8 @@ std::optional<NumberedHit> first_hit(const AnyRay& ray, const Bvh& bvh, HitRule 
 std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const Bvh& bvh, HitRule rule = HitRule::closed);
 /// Is any triangle hit?
 bool hits(const AnyRay& ray, const Bvh& bvh, HitRule rule = HitRule::closed);
-std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Bvh& bvh, HitRule rule = HitRule::closed);
+std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Bvh& bvh, HitRule rule = HitRule::closed,
+                                      std::vector<NumberedHit> rows = {});
 std::size_t count_hits(const AnyRay& ray, const Bvh& bvh, HitRule rule = HitRule::closed);
 
 struct ManyRays {
@@ -60,7 +61,8 @@ void count_hits(std::span<const AnyRay> rays, const Bvh& bvh, std::span<std::siz
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
 std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
 bool hits(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
-std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
+std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed,
+                                      std::vector<NumberedHit> rows = {});
 std::size_t count_hits(const AnyRay& ray, const CompactBvh& bvh, HitRule rule = HitRule::closed);
 void first_hits(std::span<const AnyRay> rays, const CompactBvh& bvh, std::span<std::optional<NumberedHit>> out,
                 const ManyRays& options = {});

@@ -23,7 +23,8 @@ namespace plumb {
 std::optional<NumberedHit> first_hit(const AnyRay& ray, const PosedMesh& mesh, HitRule rule = HitRule::closed);
 std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const PosedMesh& mesh, HitRule rule = HitRule::closed);
 bool hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule = HitRule::closed);
-std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule = HitRule::closed);
+std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule = HitRule::closed,
+                                      std::vector<NumberedHit> rows = {});
 std::size_t count_hits(const AnyRay& ray, const PosedMesh& mesh, HitRule rule = HitRule::closed);
 
 void first_hits(std::span<const AnyRay> rays, const PosedMesh& mesh, std::span<std::optional<NumberedHit>> out,
@@ -52,7 +53,8 @@ std::optional<NumberedHit> first_hit(const AnyRay& ray, const PosedCompactMesh& 
 std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const PosedCompactMesh& mesh,
                                             HitRule rule = HitRule::closed);
 bool hits(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed);
-std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed);
+std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed,
+                                      std::vector<NumberedHit> rows = {});
 std::size_t count_hits(const AnyRay& ray, const PosedCompactMesh& mesh, HitRule rule = HitRule::closed);
 void first_hits(std::span<const AnyRay> rays, const PosedCompactMesh& mesh, std::span<std::optional<NumberedHit>> out,
                 const ManyRays& options = {});

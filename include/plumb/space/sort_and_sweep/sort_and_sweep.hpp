@@ -31,10 +31,14 @@ struct SortAndSweepOptions {
   SweepAxis axis = SweepAxis::greatest_variance;  // z in the plane throws InvalidShape
 };
 
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb2> boxes, const SortAndSweepOptions& options = {});
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb3> boxes, const SortAndSweepOptions& options = {});
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox2> boxes, const SortAndSweepOptions& options = {});
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox3> boxes, const SortAndSweepOptions& options = {});
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb2> boxes, const SortAndSweepOptions& options = {},
+                                          std::vector<BoxPair> rows = {});
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb3> boxes, const SortAndSweepOptions& options = {},
+                                          std::vector<BoxPair> rows = {});
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox2> boxes, const SortAndSweepOptions& options = {},
+                                          std::vector<BoxPair> rows = {});
+std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox3> boxes, const SortAndSweepOptions& options = {},
+                                          std::vector<BoxPair> rows = {});
 
 /// Of the boxes' middles.
 SweepAxis axis_of_greatest_variance(std::span<const Aabb2> boxes);

@@ -44,7 +44,7 @@ class SweepLists {
 
   [[nodiscard]] bool contains(std::uint32_t number) const;
   [[nodiscard]] std::size_t size() const;
-  [[nodiscard]] std::vector<BoxPair> pairs() const;
+  [[nodiscard]] std::vector<BoxPair> pairs(std::vector<BoxPair> rows = {}) const;
   /// Starts and ends that were passed since the lists were made.
   [[nodiscard]] std::size_t steps() const;
 

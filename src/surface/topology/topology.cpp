@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "plumb/certify/direction.hpp"
+#include "surface/topology/mesh_corner.hpp"
 
 namespace plumb {
 namespace {
@@ -14,14 +15,12 @@ struct Use {
   EdgeUse use;
 };
 
-bool names_a_vertex_twice(const TriangleMesh::Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 std::vector<Use> sorted_uses(const TriangleMesh& mesh) {
   std::vector<Use> uses;
   uses.reserve(3 * mesh.triangles.size());
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     const TriangleMesh::Triangle& t = mesh.triangles[f];
-    if (names_a_vertex_twice(t)) continue;
+    if (surface::names_a_vertex_twice(t)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t from = t[k], to = t[(k + 1) % 3];
       uses.push_back(
@@ -80,7 +79,7 @@ MeshStatistics mesh_statistics(const TriangleMesh& mesh, const MeshEdges& edges)
   std::vector<bool> used(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) used[v] = true;
-    said.repeated_corners += names_a_vertex_twice(t);
+    said.repeated_corners += surface::names_a_vertex_twice(t);
     said.zero_area_faces += collinear(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
   }
   said.unused_vertices = static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
