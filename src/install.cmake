@@ -9,6 +9,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/predicates/ DESTINATION ${CMAKE_INSTALL_
   FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(PLUMB_BUILD_PROGRAM)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/plumb.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/plumb)
   file(RELATIVE_PATH from_program ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   foreach(program IN ITEMS plumb_tool_program plumb_lab_program)
     if(TARGET ${program})
