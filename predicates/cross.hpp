@@ -9,6 +9,8 @@
 #include <array>
 #include <cstddef>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::predicates {
 
 /// The numbers of a formula differ in type: a coordinate as given is not of the type of a difference.

@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::predicates {
 
 template <class T>

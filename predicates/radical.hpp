@@ -11,6 +11,8 @@
 #include <array>
 #include <string_view>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::predicates {
 
 /// A factor that is not there.

@@ -8,6 +8,8 @@
 // Cost: none.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::predicates {
 
 struct TagZero {};

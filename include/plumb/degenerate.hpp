@@ -5,6 +5,8 @@
 // Source: docs/degeneracies.md, docs/fuzzing.md.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 // Which inputs are hard?
 #include "plumb/degenerate/cloud.hpp"        // sets of many points
 #include "plumb/degenerate/coordinates.hpp"  // single numbers

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// Throws std::overflow_error; where the compiler derives a bound, the formula is refused by this name.

@@ -8,7 +8,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+
+#include "plumb/predicates/standard.hpp"
 
 namespace plumb {
 
@@ -23,7 +24,7 @@ struct CoordinatePairs {
 
   [[gnu::always_inline]] explicit CoordinatePairs(const std::array<double, N>& p) {
 #pragma GCC unroll 64
-    for (std::size_t i = 0; i < count; ++i) std::memcpy(&pair[i], &p[place(i)], sizeof pair[i]);
+    for (std::size_t i = 0; i < count; ++i) __builtin_memcpy(&pair[i], &p[place(i)], sizeof pair[i]);
   }
 
   /// The exponent field of the largest magnitude; that of infinity where a coordinate is infinite, any where one is
@@ -40,7 +41,7 @@ struct CoordinatePairs {
   static Pair absolute(Pair x) { return std::bit_cast<Pair>(std::bit_cast<Bits>(x) & Bits{~0ull >> 1, ~0ull >> 1}); }
 
   static void store(Bits value, std::size_t i, std::array<std::uint64_t, N>& to) {
-    std::memcpy(&to[place(i)], &value, sizeof value);
+    __builtin_memcpy(&to[place(i)], &value, sizeof value);
   }
   /// The double of this pattern, twice.
   static Pair both(std::uint64_t pattern) {

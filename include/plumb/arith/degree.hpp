@@ -5,6 +5,8 @@
 // Cost: none at run time.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 struct BitLength {

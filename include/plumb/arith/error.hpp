@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// Base of everything the library throws.

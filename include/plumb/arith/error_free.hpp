@@ -9,6 +9,8 @@
 
 #include <type_traits>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 struct Rounded {

@@ -10,6 +10,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// From 2^-1021 on it pays for underflow; this much also keeps its product with any filter's constant a normal number:

@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <span>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// A finite double as an odd integer times a power of two: x = mantissa * 2^exponent; mantissa 0 for zero.

@@ -10,6 +10,8 @@
 
 #include <limits>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 struct LatticeError {

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// Of a formula of N coordinates, 64 at the most.

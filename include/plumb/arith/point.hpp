@@ -5,6 +5,8 @@
 // Cost: none.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 struct Point2 {

@@ -7,6 +7,8 @@
 
 #include <span>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 struct Points2View {

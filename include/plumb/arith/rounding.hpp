@@ -4,6 +4,8 @@
 // Cost: none.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// To the largest double not above, to the nearest (ties to even), to the smallest not below.

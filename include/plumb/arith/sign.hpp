@@ -6,6 +6,8 @@
 
 #include <optional>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 enum class Sign : signed char { negative = -1, zero = 0, positive = 1 };

@@ -9,6 +9,8 @@
 #include <cfloat>
 #include <limits>
 
+#include "plumb/predicates/standard.hpp"
+
 #if defined(__FAST_MATH__)
 #error "plumb: -ffast-math breaks the proofs behind every exact sign; compile without it"
 #endif

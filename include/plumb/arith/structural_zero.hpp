@@ -5,6 +5,8 @@
 // Cost: one comparison for each difference of coordinates.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 struct StructuralZero {

@@ -12,6 +12,8 @@
 
 #include <type_traits>
 
+#include "plumb/predicates/standard.hpp"
+
 #ifdef PLUMB_CHECKED
 #define PLUMB_CHECKABLE [[gnu::abi_tag("checked")]]
 #else

@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// Those that batches are compiled for and this processor has, the best first; the last is "none".

@@ -14,6 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 class Entropy {

@@ -17,6 +17,8 @@
 #include <span>
 #include <vector>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 using FailsOnChoices = std::function<bool(std::span<const std::uint64_t>)>;

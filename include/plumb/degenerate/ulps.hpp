@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// Place of a finite double among the doubles in ascending order; both zeros have place 0.

@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 class DecimalReader {

@@ -1,5 +1,6 @@
 // Boxes in space against a linear program in rationals.
 #include <cmath>
+#include <cstring>
 
 #include "figure/basic/powers_of_two.hpp"
 #include "plumb/figure/obb/obb.hpp"

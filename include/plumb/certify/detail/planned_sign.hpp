@@ -7,7 +7,6 @@
 #pragma once
 
 #include <bit>
-#include <cstring>
 #include <new>
 #include <tuple>
 
@@ -111,7 +110,7 @@ template <Formula F, Words W, std::size_t... N>
   Coordinates<F> given{};
   for (std::size_t i = 0; i + 1 < arity<F>; i += 2) {
     const Pair pair{opaque(coordinate<W>(x[i])), opaque(coordinate<W>(x[i + 1]))};
-    std::memcpy(&given[i], &pair, sizeof pair);
+    __builtin_memcpy(&given[i], &pair, sizeof pair);
   }
   if constexpr (arity<F> % 2 != 0) given[arity<F> - 1] = opaque(coordinate<W>(x[arity<F> - 1]));
   return decide_exactly<F>(given).sign;

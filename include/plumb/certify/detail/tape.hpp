@@ -17,6 +17,8 @@
 #include <span>
 #include <type_traits>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::certify::tape {
 
 /// Result number arity + i of instruction i; operands name inputs (below arity) or earlier results.

@@ -7,6 +7,10 @@
 // Cost: none.
 #pragma once
 
+// First, so that what a compiler says of an older standard is short.
+#include "plumb/predicates/standard.hpp"
+
+// What is it made of?
 #include <array>
 
 #include "plumb/figure/basic/body.hpp"

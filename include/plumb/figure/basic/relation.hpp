@@ -8,6 +8,8 @@
 // Cost: none.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 enum class Location : signed char { outside = -1, boundary = 0, inside = 1 };

@@ -11,7 +11,6 @@
 // Cost: that of copying, or of the hull.
 #pragma once
 
-#include <cstring>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -138,7 +137,7 @@ Shape shape_from(std::span<const double> x) {
   figure::generated::demand(x, generated_kind<Shape>, generated_dimension<Shape>);
   if constexpr (figure::generated::is_copied<Shape>) {
     Shape shape{};
-    std::memcpy(&shape, x.data(), sizeof shape);
+    __builtin_memcpy(&shape, x.data(), sizeof shape);
     return shape;
   } else {
     return figure::generated::made<Shape>(x);

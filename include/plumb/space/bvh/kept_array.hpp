@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 template <class T>

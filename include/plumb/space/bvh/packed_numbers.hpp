@@ -12,7 +12,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <utility>
 
@@ -31,7 +30,7 @@ struct PackedView {
 
   [[nodiscard]] std::uint32_t operator[](std::size_t i) const {
     std::uint32_t word;
-    std::memcpy(&word, bytes + i * width, sizeof word);
+    __builtin_memcpy(&word, bytes + i * width, sizeof word);
     return word & (0xffffffffu >> (32 - 8 * width));
   }
 };

@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 class VisitStamps {

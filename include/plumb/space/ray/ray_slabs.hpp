@@ -23,7 +23,6 @@
 #pragma once
 
 #include <array>
-#include <cstring>
 #include <limits>
 
 #include "plumb/arith/ball.hpp"
@@ -108,7 +107,7 @@ class RaySlabs {
   using Pair = double __attribute__((vector_size(16)));
   static Pair two(const float* numbers) {
     float __attribute__((vector_size(8))) both;
-    std::memcpy(&both, numbers, sizeof both);
+    __builtin_memcpy(&both, numbers, sizeof both);
     return __builtin_convertvector(both, Pair);
   }
   static double larger(double a, double b) { return a > b ? a : b; }

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::query {
 
 enum class Question : unsigned char {

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::space {
 
 template <class Box>
