@@ -6,9 +6,12 @@
 // Source: docs/sections.md, chapters 2 to 4.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 // What do answers say, and what is computed beside them?
 #include "plumb/certify/accepted.hpp"             // first, so that what a compiler says of a misuse is short
-#include "plumb/figure/basic/answered.hpp"        // what is said where there is no answer
+#include "plumb/certify/answered.hpp"             // what is said where there is no answer, of signs
+#include "plumb/figure/basic/answered.hpp"        // of figures
 #include "plumb/figure/basic/quaternion.hpp"      // turns by quaternions, their matrices, products, rounded once
 #include "plumb/figure/basic/relation.hpp"        // Location, Relation
 #include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once

@@ -25,6 +25,7 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/certify/accepted.hpp"
+#include "plumb/certify/answered.hpp"
 #include "plumb/certify/batch.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/certify/constructed.hpp"
@@ -46,6 +47,7 @@
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/certify/signs_of.hpp"
 #include "plumb/certify/smallest_sphere.hpp"
+#include "plumb/predicates/standard.hpp"
 
 namespace plumb {
 

@@ -6,9 +6,12 @@
 // Source: RTCD 2.3.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 // What do they all take?
 #include "plumb/certify/accepted.hpp"       // first, so that what a compiler says of a misuse is short
-#include "plumb/query/body/answered.hpp"    // what is said where there is no answer
+#include "plumb/certify/answered.hpp"       // what is said where there is no answer, of signs
+#include "plumb/query/body/answered.hpp"    // of two figures
 #include "plumb/query/body/item_batch.hpp"  // TriangleBatch, PointBatch, SegmentBatch
 #include "plumb/query/body/posed.hpp"       // a figure as it stands or under a pose
 #include "plumb/query/body/restated.hpp"    // slabs and boxes as the figures of the tables that they are
@@ -30,10 +33,13 @@
 #include "plumb/query/overlap/posed.hpp"      // figures under poses, which are not rounded
 #include "plumb/query/overlap/restated.hpp"   // slabs, boxes by width or by center
 
-// Does one hold the other?  contains, side_of
-#include "plumb/query/convex/containment.hpp"      // bounds of every kind
-#include "plumb/query/convex/separating_face.hpp"  // does a face part two convex polyhedra?
-#include "plumb/query/convex/thick_plane.hpp"      // within so much of a plane, in front or behind
+// Does one hold the other?  contains, locate, side_of
+#include "plumb/figure/basic/polyhedron.hpp"              // a point in a convex polyhedron
+#include "plumb/figure/containment/contains.hpp"          // in any shape
+#include "plumb/figure/containment/polygon_location.hpp"  // in a polygon
+#include "plumb/query/convex/containment.hpp"             // bounds of every kind
+#include "plumb/query/convex/separating_face.hpp"         // does a face part two convex polyhedra?
+#include "plumb/query/convex/thick_plane.hpp"             // within so much of a plane, in front or behind
 
 // What have they in common?  intersection
 #include "plumb/certify/exact_point.hpp"                // a corner as it is

@@ -5,6 +5,11 @@
 // Source: RTCD 6.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
+// What is said where there is no answer?
+#include "plumb/space/bvh/answered.hpp"  // first, so that it is short
+
 // What is a tree of boxes?
 #include "plumb/space/bvh/box_frame.hpp"       // floats that hold doubles of any size
 #include "plumb/space/bvh/box_tree.hpp"        // nodes in depth-first order

@@ -18,6 +18,7 @@
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/points_view.hpp"
 #include "plumb/arith/sign.hpp"
+#include "plumb/certify/answered.hpp"
 
 namespace plumb {
 

@@ -142,13 +142,8 @@ consteval OthersOfPair others_of_pair() {
   OthersOfPair of{figure_kind<A>, figure_kind<B>, {}};
   const auto add = [&of](Other o, Asked ask) { of.ask[static_cast<std::size_t>(o)] = ask; };
   if constexpr (!RelatedPair<A, B>) return of;
-  if constexpr (requires(const A& a, const B& b) {
-                  { intersection(a, b) } -> figure::Answer;
-                })
-    add(Other::intersection, &ask_other<Other::intersection, A, B>);
-  if constexpr (requires(const A& a, const B& b) {
-                  { first_hit(a, b) } -> figure::Answer;
-                }) {
+  if constexpr (Intersectable<A, B>) add(Other::intersection, &ask_other<Other::intersection, A, B>);
+  if constexpr (Hittable<A, B>) {
     add(Other::first_hit, &ask_other<Other::first_hit, A, B>);
     add(Other::first_hit_parameter, &ask_other<Other::first_hit_parameter, A, B>);
   }

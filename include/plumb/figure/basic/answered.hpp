@@ -1,86 +1,129 @@
-// What is said to a question about two figures that has no answer here?  One sentence, instead of all that was tried.
+// What is said to a question about figures that has no answer here?  One sentence each.
 //
-// Each function below takes whatever no other function of its name takes, and refuses to compile.  So
-//   requires { relate(a, b); }
-// holds of everything; generic code asks by the concept beside it, once all that may answer is included:
+// Laws: those of arith/no_answer.hpp.  Generic code asks by the concepts, or as they do:
 //   if constexpr (Relatable<A, B>) ...
 // Cost: compile time only.
 #pragma once
 
-#include <concepts>
-#include <type_traits>
+#include <cstdint>
+#include <vector>
 
+#include "plumb/arith/no_answer.hpp"
 #include "plumb/figure/basic/relation.hpp"
 
 namespace plumb {
 
-namespace figure {
+struct Aabb3;
+struct Hull3;
+struct MinimumSphere;
+struct Obb3;
+struct Point3;
+struct Support3;
 
-/// Whatever it is, worse than anything that fits.
-struct Anything {
-  template <class T>
-  Anything(const T&) {}  // NOLINT: the one argument that every call has an overload for
-  Anything() = default;
-};
+// Where are two figures?
+template <class Answer = Relation>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: relate takes two figures of one space, the pairs of docs/overlap.md (include "
+                "<plumb/query.hpp>); of meshes ask intersecting_pairs(build_bvh(a), build_bvh(b)), of a mesh and a "
+                "figure triangles_meeting(build_bvh(mesh), figure)")
+relate(PLUMB_ANYTHING) PLUMB_DELETED;
 
-/// Stands where an answer of this type would stand, so that the compiler says no more.
-template <class T>
-struct NoAnswer {
-  operator T() const { __builtin_unreachable(); }
-};
-template <class T>
-requires std::is_class_v<T>
-struct NoAnswer<T> : T {
-};
-
-template <class T>
-inline constexpr bool is_no_answer = false;
-template <class T>
-inline constexpr bool is_no_answer<NoAnswer<T>> = true;
-
-/// The type of an answer, of who asks whether there is one.
-template <class T>
-concept Answer = !is_no_answer<T>;
-
-template <class>
-inline constexpr bool never = false;
-
-}  // namespace figure
-
-template <class T = Relation>
-figure::NoAnswer<T> relate(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
-  static_assert(
-      figure::never<T>,
-      "plumb: relate takes two figures of one space, the pairs of docs/overlap.md (include <plumb/query.hpp>); "
-      "of a mesh ask its triangles, or a ConvexPolyhedron3");
-  __builtin_unreachable();
-}
-
-template <class T = bool>
-figure::NoAnswer<T> intersects(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
-  static_assert(figure::never<T>,
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
                 "plumb: intersects takes two figures of one space, the pairs of docs/overlap.md (include "
-                "<plumb/query.hpp>); of a mesh ask its triangles, or a ConvexPolyhedron3");
-  __builtin_unreachable();
-}
+                "<plumb/query.hpp>); of meshes ask any_intersecting_pair(build_bvh(a), build_bvh(b)), of a mesh and a "
+                "figure triangles_meeting(build_bvh(mesh), figure)")
+intersects(PLUMB_ANYTHING) PLUMB_DELETED;
 
 template <class A, class B>
 concept Relatable = requires(const A& a, const B& b) {
-  { relate(a, b) } -> figure::Answer;
-  { intersects(a, b) } -> figure::Answer;
+  relate(a, b);
+  intersects(a, b);
 };
 
-template <class T = bool>
-figure::NoAnswer<T> contains(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
-  static_assert(
-      figure::never<T>,
-      "plumb: contains takes a figure and a point of its space, or two bounds, the pairs of docs/bounds.md (include "
-      "<plumb/query.hpp>)");
-  __builtin_unreachable();
-}
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: contains takes a figure and then a point of its space, or two bounds, the pairs of "
+                "docs/figures.md (include <plumb/query.hpp>); of a closed mesh ask locate(build_bvh(mesh), p)")
+contains(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class Outer, class Inner>
 concept Containing = requires(const Outer& outer, const Inner& inner) {
-  { contains(outer, inner) } -> figure::Answer;
+  contains(outer, inner);
 };
+
+template <class Answer = Location>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: locate takes a figure and then a point of its space, locate(figure, p) (include "
+                "<plumb/figure.hpp>); of a closed mesh ask locate(build_bvh(mesh), p)")
+locate(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// What is known of one figure?
+template <class Answer = Aabb3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: fit_aabb takes a bounded figure, or a span of points and, where they move, a Pose (include "
+                "<plumb/figure.hpp>)")
+fit_aabb(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Support3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: support_point takes a convex bounded figure or a span of points, and then a Vector2 or Vector3 "
+                "of its space: support_point(figure, direction) (include <plumb/figure.hpp>)")
+support_point(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = double>
+PLUMB_NO_ANSWER(Answer, "plumb: volume takes a solid, or a mesh that is closed (include <plumb/figure.hpp>)")
+volume(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = double>
+PLUMB_NO_ANSWER(Answer, "plumb: surface_area takes a solid, or a mesh (include <plumb/figure.hpp>)")
+surface_area(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = double>
+PLUMB_NO_ANSWER(Answer, "plumb: area takes a bounded flat figure (include <plumb/figure.hpp>)")
+area(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Point3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: centroid takes a span of points, a triangle, tetrahedron or polygon, or a closed mesh (include "
+                "<plumb/figure.hpp>)")
+centroid(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// What is known of many, and of what they bound?
+template <class Answer = Hull3>
+PLUMB_NO_ANSWER(Answer, "plumb: convex_hull takes a span or vector of Point2 or Point3, and then options")
+convex_hull(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<std::uint32_t>>
+PLUMB_NO_ANSWER(Answer, "plumb: extreme_points takes a span of points and then a vector of their space")
+extreme_points(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Obb3>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: minimum_obb takes a span or vector of Point2 or Point3, in space also their Hull3, and then options")
+minimum_obb(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = MinimumSphere>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: minimum_sphere takes a span or vector of Point3 or Sphere3; of the plane ask minimum_circle")
+minimum_sphere(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = MinimumSphere>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: minimum_circle takes a span or vector of Point2 or Circle2; of space ask minimum_sphere")
+minimum_circle(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Aabb3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: merge takes two bounds of one kind, boxes, balls, capsules, lozenges, cylinders or k-DOPs, or "
+                "a ball and a point; of points fit_aabb(points)")
+merge(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Aabb3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: transform takes a bound, a box, ball, capsule, lozenge, cylinder or k-DOP, and then a pose of "
+                "its space; any figure stands under one as Posed{figure, pose}")
+transform(PLUMB_ANYTHING) PLUMB_DELETED;
 
 }  // namespace plumb

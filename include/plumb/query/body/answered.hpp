@@ -1,6 +1,6 @@
 // What is said to a question of query/ that has no answer for these figures?  One sentence each.
 //
-// Laws: those of figure/basic/answered.hpp.
+// Laws: those of arith/no_answer.hpp.
 // Cost: compile time only.
 #pragma once
 
@@ -10,69 +10,168 @@
 
 namespace plumb {
 
-struct Intersection3;
+class Rational;
+class Root;
+enum class Sign : signed char;
 struct Closest;
 struct Contact;
+struct ContactManifold;
+struct ExactDistance;
+struct GjkAnswer;
 struct Hit;
+struct Intersection3;
+struct Penetration;
+struct RayParameter;
+struct TimeSpan;
 
-template <class T = Intersection3>
-figure::NoAnswer<T> intersection(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
-  static_assert(figure::never<T>,
+// What have they in common?
+template <class Answer = Intersection3>
+PLUMB_NO_ANSWER(Answer,
                 "plumb: intersection takes lines, rays, segments, planes, triangles, boxes and convex polyhedra of one "
-                "space, the pairs of docs/intersection.md; relate takes more");
-  __builtin_unreachable();
-}
+                "space, the pairs of docs/intersection.md; relate takes more; of trees of meshes ask intersections(a, "
+                "b, intersecting_pairs(a, b))")
+intersection(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class A, class B>
 concept Intersectable = requires(const A& a, const B& b) {
-  { intersection(a, b) } -> figure::Answer;
+  intersection(a, b);
 };
 
-template <class T = Hit>
-figure::NoAnswer<std::optional<T>> first_hit(const figure::Anything&, const figure::Anything&,
-                                             const figure::Anything& = {}) {
-  static_assert(figure::never<T>,
-                "plumb: first_hit takes a line, ray or segment and then a figure of its space, a TriangleMesh or a "
-                "TriangleBatch: query/ray/ray.hpp and query/ray/ray2.hpp list them");
-  __builtin_unreachable();
-}
+// What does a ray hit?
+template <class Answer = std::optional<Hit>>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: first_hit takes a line, ray or segment and then a figure of its space, the pairs of docs/rays.md, a "
+    "TriangleMesh or a TriangleBatch; of many rays at a mesh ask first_hit(ray, build_bvh(mesh))")
+first_hit(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<RayParameter>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: first_hit_parameter takes a line, ray or segment and then a figure of its space, the pairs of "
+                "docs/rays.md; of a mesh ask first_hit(ray, build_bvh(mesh))")
+first_hit_parameter(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: hits takes a line, ray or segment and then a figure of its space, the pairs of docs/rays.md; "
+                "of a mesh ask first_hit(ray, build_bvh(mesh))")
+hits(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class Straight, class Shape>
 concept Hittable = requires(const Straight& straight, const Shape& shape) {
-  { first_hit(straight, shape) } -> figure::Answer;
+  first_hit(straight, shape);
 };
 
-template <class T = Closest>
-figure::NoAnswer<T> closest_points(const figure::Anything&, const figure::Anything&) {
-  static_assert(figure::never<T>,
-                "plumb: closest_points takes two figures of one space, neither of which is a cylinder or a cone "
-                "(include <plumb/query.hpp>): docs/closest.md lists the pairs; of a mesh ask its triangles");
-  __builtin_unreachable();
-}
+// How near?
+template <class Answer = Closest>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: closest_points takes two figures of one space, neither of which is a cylinder or a cone, the "
+                "pairs of docs/closest.md (include <plumb/query.hpp>); of a mesh ask closest_on_mesh(build_bvh(mesh), "
+                "p) or closest_triangles(build_bvh(a), build_bvh(b))")
+closest_points(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class T = double>
-figure::NoAnswer<T> distance(const figure::Anything&, const figure::Anything&, const figure::Anything& = {}) {
-  static_assert(figure::never<T>,
-                "plumb: distance takes two figures of one space, neither of which is a cylinder or a cone (include "
-                "<plumb/query.hpp>): docs/closest.md lists the pairs; of a mesh ask its triangles");
-  __builtin_unreachable();
-}
+template <class Answer = Point3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: closest_point takes a figure and then a point of its space, closest_point(figure, p); "
+                "closest_points takes two figures; of a mesh ask closest_on_mesh(build_bvh(mesh), p)")
+closest_point(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = double>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: distance takes two figures of one space, neither of which is a cylinder or a cone, the pairs "
+                "of docs/closest.md (include <plumb/query.hpp>); of a mesh ask closest_on_mesh(build_bvh(mesh), p) or "
+                "closest_triangles(build_bvh(a), build_bvh(b))")
+distance(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = ExactDistance>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: exact_distance takes two figures of one space, neither of which is a cylinder or a cone, the "
+                "pairs of docs/closest.md (include <plumb/query.hpp>)")
+exact_distance(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Rational>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: squared_distance_exact takes two figures of one space, neither of which is round, the pairs of "
+                "docs/closest.md (include <plumb/query.hpp>); exact_distance takes more")
+squared_distance_exact(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Sign>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: compare_distance takes two figures and then a number or two more figures, each pair one that "
+                "distance takes: compare_distance(a, b, 3.0), compare_distance(a, b, c, d)")
+compare_distance(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class A, class B>
 concept Measurable = requires(const A& a, const B& b) {
-  { distance(a, b) } -> figure::Answer;
-  { closest_points(a, b) } -> figure::Answer;
+  distance(a, b);
+  closest_points(a, b);
 };
 
-template <class T = Contact>
-figure::NoAnswer<std::optional<T>> first_contact(const figure::Anything&, const figure::Anything&,
-                                                 const figure::Anything& = {}) {
-  static_assert(
-      figure::never<T>,
-      "plumb: first_contact takes Translating figures of one space, one of which may stand still, or Moving points, "
-      "segments and triangles: docs/motion.md lists the pairs");
-  __builtin_unreachable();
-}
+// When do they meet?
+template <class Answer = std::optional<Contact>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: first_contact takes Translating figures of one space, one of which may stand still, or Moving "
+                "points, segments and triangles: docs/motion.md lists the pairs")
+first_contact(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<Root>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: first_contact_time takes Translating figures of one space, one of which may stand still, or "
+                "Moving points, segments and triangles: docs/motion.md lists the pairs")
+first_contact_time(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<TimeSpan>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: first_contact_span takes two Translating figures of space that distance takes, or two Moving "
+                "points, segments, triangles or tetrahedra")
+first_contact_span(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class A, class B>
 concept Collidable = requires(const A& a, const B& b) {
-  { first_contact(a, b) } -> figure::Answer;
+  first_contact(a, b);
 };
+
+// How do convex bodies touch, and how deep are they in one another?
+template <class Answer = ContactManifold>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: contact_manifold takes convex bodies of space that are not round, as they stand or under a Pose: points, "
+    "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3")
+contact_manifold(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<Penetration>>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: penetration takes two convex bodies of space, as they stand or under a Pose: points, segments, triangles, "
+    "convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, capsules, lozenges")
+penetration(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<Penetration>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: exact_penetration takes two convex bodies of space, as they stand or under a Pose: points, "
+                "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
+                "VertexHull3, balls, capsules, lozenges")
+exact_penetration(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = GjkAnswer>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: gjk takes two convex bodies of space, as they stand or under a Pose: points, segments, "
+                "triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, "
+                "capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
+gjk(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: gjk_intersects takes two convex bodies of space, as they stand or under a Pose: points, "
+                "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
+                "VertexHull3, balls, capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
+gjk_intersects(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = double>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: gjk_distance takes two convex bodies of space, as they stand or under a Pose: points, "
+                "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
+                "VertexHull3, balls, capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
+gjk_distance(PLUMB_ANYTHING) PLUMB_DELETED;
 
 }  // namespace plumb

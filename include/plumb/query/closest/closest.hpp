@@ -118,16 +118,12 @@ std::array<double, 3> closest_weights(const Triangle3& triangle, const Point3& p
 
 // What is asked for is named in the requirement, not in the result: Clang 14 looks at a result's type first.
 template <class A, class B>
-requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) {
-  { closest_points(b, a) } -> figure::Answer;
-})  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { closest_points(b, a); })  //
     auto closest_points(const A& a, const B& b) {
   return swapped(closest_points(b, a));
 }
 template <class A, class B>
-requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) {
-  { distance(b, a) } -> figure::Answer;
-})  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { distance(b, a); })  //
     double distance(const A& a, const B& b) {
   return distance(b, a);
 }

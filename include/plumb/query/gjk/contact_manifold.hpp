@@ -33,7 +33,8 @@ struct ContactManifold {
 
 /// A convex body that is the hull of its corners.
 template <class Body>
-concept Polytope3 = ConvexBody3<Body> && !query::is_round<query::UnposedType<Body>>;
+concept Polytope3 = ConvexBody3<Body> &&
+    (query::is_vertex_hull<query::UnposedType<Body>> || !query::is_round<query::UnposedType<Body>>);
 
 namespace query {
 

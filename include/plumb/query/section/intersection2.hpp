@@ -51,9 +51,7 @@ Intersection2 intersection(const Aabb2& a, const Aabb2& b);
 
 /// The same with the figures named the other way round.
 template <class A, class B>
-requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) {
-  { intersection(b, a) } -> figure::Answer;
-})  //
+requires(OtherWayRound<A, B>&& requires(const A& a, const B& b) { intersection(b, a); })  //
     auto intersection(const A& a, const B& b) {
   return intersection(b, a);
 }

@@ -53,7 +53,7 @@ template <class Shape>
 Translating(Shape, Vector3) -> Translating<Shape>;
 template <class Shape>
 Translating(Posed<Shape, Pose2>, Vector2) -> Translating<Posed<Shape, Pose2>>;
-template <MovesInPlane Shape>
+template <class Shape>
 Translating(Shape, Vector2) -> Translating<Shape>;
 
 /// Every vertex moves linearly during time [0, 1].

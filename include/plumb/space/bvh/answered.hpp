@@ -1,0 +1,134 @@
+// What is said to a question of space/ that has no answer for these arguments?  One sentence each.
+//
+// Laws: those of arith/no_answer.hpp.
+// Cost: compile time only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "plumb/figure/basic/answered.hpp"
+
+namespace plumb {
+
+struct Bvh;
+struct BoxPair;
+struct ClosestOnMesh;
+struct ClosestTriangles;
+struct NearestPoint;
+struct NearTriangle;
+struct NumberedHit;
+struct PairCount;
+struct TrianglePair;
+
+// Which tree?
+template <class Answer = Bvh>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: build_bvh takes a TriangleMesh, or a span of vertices and one of triangles, three numbers "
+                "each, and then BvhOptions; of boxes build_box_tree")
+build_bvh(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// Which pairs?
+template <class Answer = std::vector<TrianglePair>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: intersecting_pairs takes the trees of two meshes, each a Bvh, CompactBvh, VolumeMesh, "
+                "PosedMesh or PosedCompactMesh, both of one kind: intersecting_pairs(build_bvh(a), build_bvh(b))")
+intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<TrianglePair>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: any_intersecting_pair takes the trees of two meshes, each a Bvh, CompactBvh, VolumeMesh, "
+                "PosedMesh or PosedCompactMesh, both of one kind: any_intersecting_pair(build_bvh(a), build_bvh(b))")
+any_intersecting_pair(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<TrianglePair>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: self_intersecting_pairs takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
+                "PosedCompactMesh: self_intersecting_pairs(build_bvh(mesh))")
+self_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<TrianglePair>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: any_self_intersecting_pair takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
+                "PosedCompactMesh: any_self_intersecting_pair(build_bvh(mesh))")
+any_self_intersecting_pair(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = PairCount>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: count_self_intersecting_pairs takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
+                "PosedCompactMesh: count_self_intersecting_pairs(build_bvh(mesh))")
+count_self_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = PairCount>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: count_intersecting_pairs takes the trees of two meshes, each a Bvh, CompactBvh, PosedMesh or "
+                "PosedCompactMesh, both of one kind: count_intersecting_pairs(build_bvh(a), build_bvh(b))")
+count_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<BoxPair>>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: overlapping_pairs takes spans or vectors of one kind of box, Aabb2, Aabb3, FloatBox2 or FloatBox3, or an "
+    "index of boxes, and then a BoxPairSink and options; of meshes ask intersecting_pairs(build_bvh(a), build_bvh(b))")
+overlapping_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// How near is a mesh?
+template <class Answer = std::optional<ClosestOnMesh>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: closest_on_mesh takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or PosedCompactMesh, "
+                "and then a Point3, or spans of points and of answers: closest_on_mesh(build_bvh(mesh), p)")
+closest_on_mesh(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<ClosestTriangles>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: closest_triangles takes the trees of two meshes, both a Bvh or both a PosedMesh: "
+                "closest_triangles(build_bvh(a), build_bvh(b))")
+closest_triangles(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<NearTriangle>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: nearest_triangles takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or PosedCompactMesh, "
+                "a Point3 and how many: nearest_triangles(build_bvh(mesh), p, k)")
+nearest_triangles(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<NearTriangle>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: triangles_within takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or PosedCompactMesh, a "
+                "Point3 and a distance: triangles_within(build_bvh(mesh), p, distance)")
+triangles_within(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<std::uint32_t>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: triangles_meeting takes the tree of a mesh, and then a figure of space or a span of one kind "
+                "of them, the list of space/range/range_search.hpp: triangles_meeting(build_bvh(mesh), box)")
+triangles_meeting(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// What does a ray hit?
+template <class Answer = std::optional<std::uint32_t>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: first_triangle takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
+                "PosedMesh or PosedCompactMesh: first_triangle(ray, build_bvh(mesh))")
+first_triangle(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<NumberedHit>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: ordered_hits takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
+                "PosedMesh or PosedCompactMesh: ordered_hits(ray, build_bvh(mesh))")
+ordered_hits(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::size_t>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: count_hits takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
+                "PosedMesh or PosedCompactMesh: count_hits(ray, build_bvh(mesh))")
+count_hits(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// Which are nearest?
+template <class Answer = NearestPoint>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: nearest takes an index, of points (build_kd_tree), of figures (build_figure_tree), a batch or "
+                "a hybrid one, and then a point of its space: nearest(build_kd_tree(points), p)")
+nearest(PLUMB_ANYTHING) PLUMB_DELETED;
+
+}  // namespace plumb
