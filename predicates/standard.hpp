@@ -7,5 +7,5 @@
 #pragma once
 
 #if __cplusplus <= 201703L
-#include "plumb needs C++20: compile with -std=c++20, or in CMake with cxx_std_20"
+#include <plumb needs C++20: compile with -std=c++20, or in CMake with cxx_std_20>
 #endif

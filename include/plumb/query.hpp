@@ -20,7 +20,8 @@
 #include "plumb/query/body/closest_pairs.hpp"       // of closest_points and distance
 #include "plumb/query/body/contact_pairs.hpp"       // of first_contact
 #include "plumb/query/body/contains_pairs.hpp"      // of contains
-#include "plumb/query/body/hit_pairs.hpp"           // of first_hit
+#include "plumb/query/body/further_pairs.hpp"       // what else takes contains, first_hit and first_contact
+#include "plumb/query/body/hit_pairs.hpp"           // of first_hit and hits
 #include "plumb/query/body/intersection_pairs.hpp"  // of intersection
 #include "plumb/query/body/pairs.hpp"               // of relate and intersects, and the algorithm that answers each
 #include "plumb/query/body/question_table.hpp"      // what these tables have in common

@@ -26,7 +26,7 @@ std::vector<Kind> kinds() {
           {"Points in polygons and meshes", inside_cases()},
           {"Smallest circles, areas and convexity", measure_cases()},
           {"Nearest neighbors", tree_cases()},
-          {"Files and faces", file_cases()}};
+          {"Files, faces and sections", file_cases()}};
 }
 
 struct Row {

@@ -8,9 +8,11 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +38,7 @@ struct Ended {
 
 /// In this folder, with so much address space.
 Ended run(const std::vector<std::string>& words, const std::string& folder, std::uint64_t kib,
-          bool threads_forbidden = false) {
+          std::optional<Forbidden> threads = std::nullopt) {
   const std::string err = folder + "/err";
   std::vector<std::string> all{tested_program()};
   all.insert(all.end(), words.begin(), words.end());
@@ -48,7 +50,7 @@ Ended run(const std::vector<std::string>& words, const std::string& folder, std:
     if (::chdir(folder.c_str()) != 0) ::_exit(99);
     ::dup2(::open("/dev/null", O_RDWR), STDOUT_FILENO);
     ::dup2(::open(err.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), STDERR_FILENO);
-    if (threads_forbidden && !forbid_threads()) ::_exit(98);
+    if (threads && !forbid_threads(*threads)) ::_exit(98);
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
     if (kib != unlimited) {
@@ -179,10 +181,25 @@ TEST_P(OutOfMemory, DoesItsWorkOnOneThreadWhereNoneCanBeMade) {
   const std::string place = folder / ".";
   write_inputs(place);
   write_old(writer, place);
-  const Ended ended = run(writer.words, place, unlimited, true);
+  const Ended ended = run(writer.words, place, unlimited, Forbidden::refused);
   EXPECT_THAT(ended.code(), AnyOf(0, 1)) << ended.err;
   EXPECT_EQ(ended.err, "");
   expect_sound_end(writer, place, ended);
+}
+
+// To make one would be the end of it.
+TEST(OneThread, IsAllThatOneThreadTakes) {
+  if (battery::sanitized) GTEST_SKIP() << "sanitizers make threads of their own";
+  const Folder folder;
+  const std::string place = folder / ".";
+  write_inputs(place);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"check", "part.obj", "--threads", "1"},
+        std::vector<std::string>{"nearest", "points.csv", "queries.csv", "--threads", "1"},
+        std::vector<std::string>{"pairs", "boxes.csv", "--threads", "1"}}) {
+    EXPECT_EQ(run(words, place, unlimited, Forbidden::deadly).code(), 0) << words[0];
+  }
+  EXPECT_EQ(run({"check", "part.obj", "--threads", "2"}, place, unlimited, Forbidden::deadly).code(), 128 + SIGSYS);
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, OutOfMemory, testing::ValuesIn(writers),

@@ -64,6 +64,23 @@ HullModel::HullModel(const Hull3& hull, std::span<const Point3> points) : corner
   }
 }
 
+std::uint32_t HullModel::beyond_plateau(std::uint32_t v, const Vector3& d) const {
+  constexpr std::size_t widest = 64;  // a guess of what pays
+  const double most = dot(vertices[v], d);
+  std::vector<std::uint32_t> plateau{v};
+  for (std::size_t at = 0; at < plateau.size(); ++at) {
+    const std::uint32_t from = plateau[at];
+    for (std::uint32_t i = first_neighbor[from]; i < first_neighbor[from + 1]; ++i) {
+      const std::uint32_t next = neighbors[i];
+      const double far = dot(vertices[next], d);
+      if (far > most) return next;
+      if (far > most - level && plateau.size() < widest && std::ranges::find(plateau, next) == plateau.end())
+        plateau.push_back(next);
+    }
+  }
+  return v;
+}
+
 namespace {
 
 constexpr int cells = 24;  // along each side of a face of the cube of directions

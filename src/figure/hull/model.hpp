@@ -35,17 +35,30 @@ struct HullModel {
     double most = dot(vertices[v], d);
     for (;;) {  // ends, for `most` grows with each vertex and there are finitely many
       std::uint32_t next = v;
+      bool is_level = false;
       for (std::uint32_t i = first_neighbor[v]; i < first_neighbor[v + 1]; ++i) {
         const double far = dot(vertices[neighbors[i]], d);
+        is_level |= far > most - level;
         if (far > most) {
           most = far;
           next = neighbors[i];
         }
       }
-      if (next == v) return v;
+      if (next == v) {
+        next = is_level ? beyond_plateau(v, d) : v;
+        if (next == v) return v;
+        most = dot(vertices[next], d);
+      }
       v = next;
     }
   }
+
+ private:
+  // What roundings do not tell apart, of vertices of magnitude one: a guess.
+  static constexpr double level = 0x1p-48;
+  // A vertex that is farther than v and beside those that are as far: of vertices that lie very close together, roundings
+  // hide which of them leads on.  v where there is none.
+  [[nodiscard]] std::uint32_t beyond_plateau(std::uint32_t v, const Vector3& d) const;
 };
 
 /// Near which vertex does a climb along d end?  A table over directions.

@@ -5,12 +5,14 @@
 // two arcs of figure/obb/flush_arcs.hpp, perpendicular to each other.  For n1 between a0 and a1 and n2 between b0 and b1
 // the widths along n1, n2 and n1 x n2 are at least those of any fixed pairs of vertices, which are least at a0 or a1, at
 // b0 or b1, and at one of the four products ai x bj: normals between are sums of these with weights that add up to one
-// at least.  What this does not exclude, figure/obb/flush_volume.hpp may; the rest is halved.
+// at least.  What this does not exclude, figure/obb/flush_volume.hpp may; the rest is halved.  Where there are too many
+// parts for a fine answer, the search is made again for a coarser one.
 // Laws: (1) no box of right angles is smaller than `least`: every bound is rounded outward, with errors that come of
 // running the same formula over numbers that carry them.  (2) Deterministic.
 // Source: O'Rourke, "Finding minimal enclosing boxes", 1985; Jylanki, "An exact algorithm for finding minimum oriented
 // bounding boxes", 2015, for the idea of pairs; RTCD 4.4.3.
-// Cost: a nanosecond for each pair of edges whose widths are small, 50 for those whose normals can be perpendicular.
+// Cost: a nanosecond for each pair of edges whose widths are small, 50 for those whose normals can be perpendicular, some
+// microseconds where pairs of doubles decide; of parts no more than some ten thousand and some hundred for each arc.
 #pragma once
 
 #include <array>

@@ -145,6 +145,8 @@ Point3 center(const std::array<Vector3, 3>& axes, std::span<const Point3> points
     return std::fabs(sum) < std::numeric_limits<double>::infinity() ? sum / 2 : least.*x / 2 + most.*x / 2;
   };
   const Point3 start{middle(&Point3::x), middle(&Point3::y), middle(&Point3::z)};
+  const auto is_of_space = [](const Vector3& v) { return (v.x != 0) + (v.y != 0) + (v.z != 0) == 1; };
+  if (std::ranges::all_of(axes, is_of_space)) return start;  // no double is nearer to the middle
   Vector3 by{0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 normal = figure::frame::cross(axes[(i + 1) % 3], axes[(i + 2) % 3]);

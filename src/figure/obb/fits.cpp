@@ -5,6 +5,7 @@
 #include <string>
 
 #include "figure/basic/finite_parts.hpp"
+#include "figure/hull/canonical_hull.hpp"
 #include "figure/hull/local_points.hpp"
 #include "figure/measures/principal_axes.hpp"
 #include "figure/obb/box_search.hpp"
@@ -19,30 +20,22 @@ namespace plumb {
 namespace {
 
 using namespace figure::frame;
+using figure::CanonicalHull;
 
 void require_points(std::string_view function, std::span<const Point3> points) {
   figure::require_finite_points(function, "points", points);
   if (points.empty()) throw InvalidShape(std::string(function).append(": no points; give at least one"));
 }
 
-std::vector<Point3> vertices_of(const Hull3& hull, std::span<const Point3> points) {
-  std::vector<Point3> kept;
-  kept.reserve(hull.vertices.size());
-  for (const std::uint32_t v : hull.vertices) kept.push_back(points[v]);
-  return kept;
-}
+CanonicalHull hull_of(std::span<const Point3> points) { return {"convex_hull", convex_hull(points), points}; }
 
-// Faces as fans over the vertices in vertices_of.
+// Faces as fans.
 std::vector<TriangleMesh::Triangle> triangles_of(const Hull3& hull) {
   std::vector<TriangleMesh::Triangle> triangles;
   if (hull.dimension < 2) return triangles;
-  const auto number = [&](std::uint32_t v) {
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(hull.vertices, v) - hull.vertices.begin());
-  };
   for (std::size_t f = 0; f < hull.face_count(); ++f) {
     const auto face = hull.face(f);
-    for (std::size_t i = 1; i + 1 < face.size(); ++i)
-      triangles.push_back({number(face[0]), number(face[i]), number(face[i + 1])});
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) triangles.push_back({face[0], face[i], face[i + 1]});
   }
   return triangles;
 }
@@ -115,14 +108,13 @@ Obb3 fit_obb_principal(std::span<const Point3> points) {
 
 Obb3 fit_obb_hull_vertices(std::span<const Point3> points) {
   require_points("fit_obb_hull_vertices", points);
-  const auto vertices = vertices_of(convex_hull(points), points);
+  const auto vertices = hull_of(points).vertices;
   return fit_obb(principal_axes(localized(vertices)), vertices);
 }
 
 Obb3 fit_obb_hull_surface(std::span<const Point3> points) {
   require_points("fit_obb_hull_surface", points);
-  const Hull3 hull = convex_hull(points);
-  const auto vertices = vertices_of(hull, points);
+  const auto [vertices, hull] = hull_of(points);
   return fit_obb(principal_axes_of_surface(localized(vertices), triangles_of(hull)), vertices);
 }
 
@@ -141,8 +133,7 @@ Obb3 fit_obb_surface(std::span<const Point3> vertices, std::span<const TriangleM
 
 Obb3 fit_obb_around_principal(std::span<const Point3> points, PrincipalAxis kept) {
   require_points("fit_obb_around_principal", points);
-  const Hull3 hull = convex_hull(points);
-  const auto vertices = vertices_of(hull, points);
+  const auto [vertices, hull] = hull_of(points);
   const auto local = localized(vertices);
   return fit_obb(turned(principal_axes_of_surface(local, triangles_of(hull)), local, kept), vertices);
 }
@@ -151,9 +142,9 @@ Obb3 fit_obb_brute_force(std::span<const Point3> points, const BruteForceObbOpti
   require_points("fit_obb_brute_force", points);
   if (options.orientations < 1 || options.refinements < 0)
     throw InvalidShape("fit_obb_brute_force: options; give at least one orientation and no negative refinements");
-  const Hull3 hull = convex_hull(points);
-  if (hull.dimension < 3) return minimum_obb(points, hull);  // in the plane the smallest costs less
-  const HullModel model(hull, points);
+  const auto [vertices, hull] = hull_of(points);
+  if (hull.dimension < 3) return minimum_obb(vertices, hull);  // in the plane the smallest costs less
+  const HullModel model(hull, vertices);
   Directions directions(model);
   const double apart = 2.0 / options.orientations;
   for (int side = 0; side < 3; ++side) {
@@ -167,7 +158,7 @@ Obb3 fit_obb_brute_force(std::span<const Point3> points, const BruteForceObbOpti
   for (int k = 0; k < options.refinements; ++k, step /= 2) {
     for (int moved = 0; moved < most_steps && directions.step(step); ++moved) continue;
   }
-  return fit_obb(directions.best().axes, vertices_of(hull, points));
+  return fit_obb(directions.best().axes, vertices);
 }
 
 }  // namespace plumb

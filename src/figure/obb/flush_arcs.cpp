@@ -108,6 +108,28 @@ class Directions {
   const Scaled& scaled_;
 };
 
+// No more than the volume of the hull, in cubes of side 2^exponent.
+double volume_below(const HullModel& model, const Scaled& scaled, std::span<const Point3> given, int exponent) {
+  TriangleMesh mesh{scaled.points, {}};
+  for (std::size_t f = 0; f + 1 < model.first.size(); ++f) {
+    for (std::uint32_t i = model.first[f] + 1; i + 1 < model.first[f + 1]; ++i)
+      mesh.triangles.push_back({model.corners[model.first[f]], model.corners[i], model.corners[i + 1]});
+  }
+  if (scaled.exact) {
+    const int grow = exponent - scaled.exponent;
+    const double least = Interval::down(volume(mesh), -1), in_units = std::ldexp(least, -3 * grow);
+    return std::ldexp(in_units, 3 * grow) == least ? std::max(in_units, 0.0) : 0;
+  }
+  BigDyadic six_volumes(0);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const auto at = [&](std::uint32_t v) { return arith::vec<BigDyadic>(given[v]); };
+    six_volumes = six_volumes + dot(at(a), cross(at(b), at(c)));
+  }
+  const BigDyadic half_side(std::ldexp(1.0, exponent / 2)),
+      side = half_side * BigDyadic(std::ldexp(1.0, exponent - exponent / 2));
+  return rounded_quotient(Rounding::down, six_volumes, BigDyadic(6.0) * (side * side * side));
+}
+
 }  // namespace
 
 FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
@@ -130,15 +152,18 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
   }
   const int grow = frame::exponent(extent);
   vertices.resize(given.size());
+  places.resize(given.size(), {Ball(0.0), Ball(0.0), Ball(0.0)});
+  constexpr std::array<Ball Enclosed::*, 3> of_place{&Enclosed::x, &Enclosed::y, &Enclosed::z};
   double off = 0;
   bool lost = false;
   for (std::size_t i = 0; i < given.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Rounded d = two_sum(scaled.points[i].*of_point[k], -middle[k]);
-      const double x = std::ldexp(d.value, -grow);
+      const double x = std::ldexp(d.value, -grow), rest = std::ldexp(d.error, -grow);
       vertices[i].*of_vector[k] = x;
+      places[i].*of_place[k] = {x, rest, 0};
       off = std::max(off, std::fabs(d.error));
-      lost = lost || std::ldexp(x, grow) != d.value;
+      lost = lost || std::ldexp(x, grow) != d.value || std::ldexp(rest, grow) != d.error;
     }
   }
   exponent = scaled.exponent + grow;
@@ -146,6 +171,15 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
   if (!scaled.exact) off = Interval::sum_up(off, tiniest);
   if (off > 0) vertex_error = Interval::up(std::ldexp(off, -grow), 1);
   if (lost) vertex_error = Interval::sum_up(vertex_error, tiniest);
+  // By what scaling and moving lost of both parts.
+  const double scaling = scaled.exact ? 0 : Interval::up(std::ldexp(tiniest, -grow), 1);
+  const double doubt = Interval::sum_up(scaling, lost ? 2 * tiniest : 0);
+  for (Enclosed& p : places) {
+    for (Ball* x : {&p.x, &p.y, &p.z}) {
+      x->radius = doubt;
+      *x = squarable(*x);
+    }
+  }
 
   const auto known = [this](const Enclosed& v) {
     for (const Ball& x : {v.x, v.y, v.z}) {
@@ -169,6 +203,7 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
     const double turn = frame::dot(arc.from, arc.to);
     if (turn >= most_turn || !(direction_error < sure_enough)) {
       arcs.push_back(arc);
+      enclosed.push_back({l, r, e});
       return;
     }
     // At a right angle from l on the way to r, or halfway.
@@ -177,18 +212,12 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
     again(again, between, r, e, vertex);
   };
   arcs.reserve(model.edges.size());
+  enclosed.reserve(model.edges.size());
   for (const HullModel::Edge& e : model.edges)
     add(add, faces[e.left], faces[e.right], directions.edge(e.from, e.to), e.from);
 
   are_sure = direction_error < sure_enough;
-  if (!scaled.exact) return;
-  TriangleMesh mesh{scaled.points, {}};
-  for (std::size_t f = 0; f + 1 < model.first.size(); ++f) {
-    for (std::uint32_t i = model.first[f] + 1; i + 1 < model.first[f + 1]; ++i)
-      mesh.triangles.push_back({model.corners[model.first[f]], model.corners[i], model.corners[i + 1]});
-  }
-  const double least = Interval::down(volume(mesh), -1), in_units = std::ldexp(least, -3 * grow);
-  if (std::ldexp(in_units, 3 * grow) == least) hull_volume = std::max(in_units, 0.0);
+  hull_volume = volume_below(model, scaled, given, exponent);
 }
 
 }  // namespace plumb::figure::frame

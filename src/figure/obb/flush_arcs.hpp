@@ -6,6 +6,7 @@
 // Laws: (1) the ends of every arc are within `direction_error`, in each coordinate, of unit vectors that lie on the
 // exact arc; the arcs of an edge cover it.  (2) Edges' directions likewise.  (3) The vertices are the points'
 // places in some frame whose unit is 2^exponent, each coordinate within `vertex_error`; all are at most one.
+// (4) `enclosed` has the exact arcs and edges, and `places` the vertices, to some hundred bits.
 // The errors are radii that pairs of doubles carry, not estimates.
 // Source: O'Rourke, "Finding minimal enclosing boxes", 1985.
 // Cost: some microseconds a face; integers for faces whose normal pairs of doubles do not give.
@@ -13,7 +14,9 @@
 
 #include <vector>
 
+#include "arith/vec.hpp"
 #include "figure/hull/model.hpp"
+#include "plumb/arith/ball.hpp"
 
 namespace plumb::figure::frame {
 
@@ -26,8 +29,14 @@ struct FlushArc {
   std::uint32_t vertex;  // on the edge
 };
 
+struct EnclosedArc {
+  arith::Vec<Ball> from, to, edge;
+};
+
 struct FlushArcs {
   std::vector<FlushArc> arcs;
+  std::vector<EnclosedArc> enclosed;  // as numbered by arcs
+  std::vector<arith::Vec<Ball>> places;
   std::vector<Vector3> vertices, normals;  // as numbered by HullModel
   double vertex_error = 0, direction_error = 0;
   int exponent = 0;

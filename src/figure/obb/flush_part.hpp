@@ -20,6 +20,7 @@ namespace plumb::figure::frame {
 // that, and no less than `width` is the hull's along any of them.
 struct SearchedArc {
   FlushArc flush;
+  std::size_t number;  // of FlushArcs
   std::array<double, 2> s;
   std::array<Vector3, 2> end;
   Vector3 center{};
@@ -75,8 +76,9 @@ struct SearchErrors {
 };
 
 /// Where the exact arc's chord is divided by s.
-inline arith::Vec<Running> exact_chord(const FlushArc& arc, double s, double direction_error) {
-  return known(arc.from, direction_error) * (Running(1.0) - Running(s)) + known(arc.to, direction_error) * Running(s);
+template <class N>
+arith::Vec<N> exact_chord(const arith::Vec<N>& from, const arith::Vec<N>& to, double s) {
+  return from * (N(1.0) - N(s)) + to * N(s);
 }
 
 /// A normal of the arc there; the exact chord, stretched by as much, is no longer than one.

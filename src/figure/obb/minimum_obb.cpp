@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "arith/big_rounding.hpp"
-#include "arith/running_error.hpp"
-#include "arith/vec.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/hull/canonical_hull.hpp"
 #include "figure/hull/local_points.hpp"
 #include "figure/obb/box_search.hpp"
 #include "figure/obb/calipers.hpp"
 #include "figure/obb/exact_volume.hpp"
+#include "figure/obb/frame_volume.hpp"
 #include "figure/obb/needle_axes.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/obb/obb.hpp"
@@ -22,16 +22,6 @@ namespace plumb {
 namespace {
 
 using namespace figure::frame;
-
-std::vector<Point3> vertices_of(const Hull3& hull, std::span<const Point3> points) {
-  std::vector<Point3> kept;
-  kept.reserve(hull.vertices.size());
-  for (const std::uint32_t v : hull.vertices) {
-    if (v >= points.size()) throw InvalidShape("minimum_obb: the hull names a point beyond the last one given");
-    kept.push_back(points[v]);
-  }
-  return kept;
-}
 
 // Of points on a line or in a plane.
 std::array<Vector3, 3> flat_axes(const Hull3& hull, std::span<const Point3> points) {
@@ -81,28 +71,6 @@ FoundBox good_start(const HullModel& model) {
   return best;
 }
 
-// No less than the volume around the vertices of a frame of exactly right angles beside these axes: n1, what is left
-// of n2 beside it, and the product of both.
-double volume_above(const FlushArcs& flush, const std::array<Vector3, 3>& axes) {
-  using arith::cross, arith::dot, arith::vec;
-  const auto n1 = vec<Running>(axes[0]), n2 = vec<Running>(axes[1]);
-  const auto second = n2 * dot(n1, n1) - n1 * dot(n1, n2);
-  const std::array frame{n1, second, cross(n1, second)};
-  Interval volume(1);
-  for (const auto& n : frame) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const Vector3& v : flush.vertices) {
-      const auto at = [&](double x) { return Running(x, flush.vertex_error); };
-      const Running far = dot(arith::Vec<Running>{at(v.x), at(v.y), at(v.z)}, n);
-      least = std::min(least, far.lower());
-      most = std::max(most, far.upper());
-    }
-    volume = volume * (Interval(most) - Interval(least));
-  }
-  const auto enclosed = [](const Running& x) { return Interval{x.lower(), x.upper()}; };
-  return quotient(volume, enclosed(dot(n1, n1)) * enclosed(dot(second, second))).upper;
-}
-
 std::optional<Obb3> fitted(const std::array<Vector3, 3>& axes, std::span<const Point3> points) {
   try {
     return fit_obb(axes, points);
@@ -113,11 +81,13 @@ std::optional<Obb3> fitted(const std::array<Vector3, 3>& axes, std::span<const P
 
 BigDyadic exact_volume(const Obb3& box) { return magnitude(figure::signed_volume_of<BigDyadic>(box)); }
 
+using Axes = std::array<Vector3, 3>;
+
 // The smallest of boxes with these axes, with those of space and with those of a needle.
-Obb3 smallest_fit(const std::array<Vector3, 3>& axes, std::span<const Point3> points) {
+Obb3 smallest_fit(const Axes& axes, const Axes& others, std::span<const Point3> points) {
   std::optional<Obb3> best;
   constexpr std::array upright{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
-  for (const auto& tried : {axes, upright, needle_axes(points)}) {
+  for (const auto& tried : {axes, others, upright, needle_axes(points)}) {
     const auto box = fitted(tried, points);
     if (box && (!best || figure::compare_volumes(*box, *best) == Sign::negative)) best = box;
   }
@@ -135,26 +105,30 @@ double excess_of(const Obb3& box, double least, int exponent) {
 
 }  // namespace
 
-CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Hull3& hull,
+CertifiedObb3 certified_minimum_obb(std::span<const Point3> points, const Hull3& given,
                                     const MinimumObbOptions& options) {
   if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
-  const std::vector<Point3> vertices = vertices_of(hull, points);
+  const auto [vertices, hull] = figure::CanonicalHull("minimum_obb", given, points);
   if (hull.dimension < 3) {
-    const Obb3 flat = smallest_fit(flat_axes(hull, points), vertices);
+    const Axes axes = flat_axes(hull, vertices);
+    const Obb3 flat = smallest_fit(axes, axes, vertices);
     return {flat, Interval(0), 0, excess_of(flat, 0, 0)};
   }
-  HullModel model(hull, points);
+  HullModel model(hull, vertices);
   FlushArcs flush(model, vertices);
   model.vertices = flush.vertices;
   model.normals = flush.normals;
   SearchedBox found{good_start(model), 0};
+  Axes turned = found.best.axes;
+  double most = std::numeric_limits<double>::infinity();
   if (vertices.size() <= options.most_vertices) {
     found = smallest_box(model, flush, found.best, options.most_parts);
-    found.best = turned_about_axes(model, found.best);
+    most = found.best.volume;
+    turned = turned_about_axes(model, found.best).axes;
   }
-  const Obb3 box = smallest_fit(found.best.axes, vertices);
-  const Interval least{std::max(found.least, flush.hull_volume),
-                       std::min(volume_above(flush, found.best.axes), volume_above(flush, box.axes))};
+  const Obb3 box = smallest_fit(found.best.axes, turned, vertices);
+  for (const Axes& axes : {found.best.axes, box.axes}) most = std::min(most, volume_above(flush, right_angle(axes)));
+  const Interval least{std::max(found.least, flush.hull_volume), most};
   const double excess = excess_of(box, least.lower, flush.exponent);
   if (std::abs(flush.exponent) > 256) return {box, least, flush.exponent, excess};
   return {box, {std::ldexp(least.lower, 3 * flush.exponent), std::ldexp(least.upper, 3 * flush.exponent)}, 0, excess};

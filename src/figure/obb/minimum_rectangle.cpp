@@ -107,7 +107,8 @@ Obb2 minimum_obb(std::span<const Point2> points) {
   figure::require_finite_points("minimum_obb", "points", points);
   if (points.empty()) throw InvalidShape("minimum_obb: no points; give at least one");
   std::vector<Point2> polygon;
-  for (const std::uint32_t i : convex_hull(points).vertices) polygon.push_back(points[i]);
+  // Of equal points any stands for all: -0 is not to show.
+  for (const std::uint32_t i : convex_hull(points).vertices) polygon.push_back({points[i].x + 0.0, points[i].y + 0.0});
   constexpr std::array upright{Vector2{1, 0}, Vector2{0, 1}};
   if (polygon.size() == 1) return fit_obb(upright, polygon);
   const Rectangle best = polygon.size() == 2 ? Rectangle{polygon[0], polygon[1], {}, {}, {}} : least_area(polygon);

@@ -9,6 +9,7 @@
 #include "plumb/predicates.hpp"
 #include "plumb/query/ray/parity.hpp"
 #include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/section.hpp"
 #include "plumb/surface/topology.hpp"
 #include "plumb/surface/triangulate.hpp"
 
@@ -108,6 +109,33 @@ constexpr std::array cases{
                "element face 1\nproperty list ushort uint vertex_indices\nproperty list uchar float texcoord\n"
                "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0 1 0 0 1\n",
                "lists.ply");
+         }},
+    Case{"GridSpace/grid-apps#264",
+         [] {
+           TriangleMesh steps;  // three boxes side by side
+           for (const double height : {0.2, 0.4, 0.6}) {
+             const auto first = static_cast<std::uint32_t>(steps.vertices.size());
+             for (int i = 0; i < 8; ++i)
+               steps.vertices.push_back({5 * height + (i & 1) * 0.5, 1.0 * (i >> 1 & 1), (i >> 2) * height});
+             for (const auto& [a, b, c] : {TriangleMesh::Triangle{0, 2, 1},
+                                           {1, 2, 3},
+                                           {4, 5, 6},
+                                           {5, 7, 6},
+                                           {0, 1, 4},
+                                           {1, 5, 4},
+                                           {2, 6, 3},
+                                           {3, 6, 7},
+                                           {0, 4, 2},
+                                           {2, 4, 6},
+                                           {1, 3, 5},
+                                           {3, 7, 5}})
+               steps.triangles.push_back({first + a, first + b, first + c});
+           }
+           std::string all;
+           for (const double height : {0.2, 0.4, 0.6})
+             all +=
+                 (all.empty() ? "" : ", ") + std::to_string(section(steps, Plane3{{0, 0, 1}, height}).contours.size());
+           return all + " contours";
          }},
     Case{"greenm01/poly2tri#18",
          [] {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "docs/bugs_of_others/case.hpp"
+#include "plumb/arith/error.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/figure/basic/convexity.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
@@ -51,6 +52,14 @@ std::string middle(const Polygon2& polygon) {
   return told(centroid(polygon));
 }
 
+std::string volume_or_refusal(const TriangleMesh& mesh) {
+  try {
+    return told(volume(mesh));
+  } catch (const InvalidShape&) {
+    return "refused";
+  }
+}
+
 constexpr std::array cases{
     Case{"opencv/opencv#6438",
          [] {
@@ -75,6 +84,19 @@ constexpr std::array cases{
          [] {
            const double o = 1e10;
            return middle(Polygon2{{{o, o}, {o + 10, o}, {o + 10, o + 10}, {o, o + 10}}});
+         }},
+    Case{"martinResearch/DEODR#243",
+         [] {
+           TriangleMesh open{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}};
+           const std::string where_it_stands = volume_or_refusal(open);
+           for (Point3& v : open.vertices) v.x += 7;
+           EXPECT_EQ(volume_or_refusal(open), where_it_stands);
+           return where_it_stands;
+         }},
+    Case{"isl-org/Open3D#3027",
+         [] {
+           return volume_or_refusal(
+               {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 3, 0}}});
          }},
     Case{"georust/geo#1394",
          [] {

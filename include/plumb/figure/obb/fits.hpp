@@ -1,9 +1,10 @@
 // Bounding volume (OBB), principal axes: which oriented box fits well, for less work than the smallest one?
 //
 // Laws: (1) every box contains all points exactly: half extents are rounded up.  (2) The axes are orthonormal up to
-// rounding.  (3) The result depends on the points alone (and, of principal axes of points, on their order by rounding
-// alone).  None is the least: where a fit chooses, it does as doubles measure.  Any points will do: equal, collinear, coplanar, of any magnitude.  No points throw InvalidShape; NaN and
-// infinities throw NonFinite; a box that doubles cannot hold throws BeyondDoubles.
+// rounding.  (3) The result depends on the points alone, bit for bit where the hull is asked for; fit_obb_principal and
+// fit_obb_surface depend on their order by rounding.  None is the least: where a fit chooses, it does as doubles measure.
+// Any points will do: equal, collinear, coplanar, of any magnitude.  No points throw InvalidShape; NaN and infinities
+// throw NonFinite; a box that doubles cannot hold throws BeyondDoubles.
 // Source: RTCD 4.4.3, 4.4.4, 4.4.5; Gottschalk 2000 for the continuous covariance.
 // Cost: linear in the points; those that ask for the hull cost the hull.
 #pragma once

@@ -1,0 +1,163 @@
+// Has every public function that asks contains, first_hit or hits, or first_contact or intersects of what moves, its place
+// in the table of the question (query/body/contains_pairs.hpp, hit_pairs.hpp, contact_pairs.hpp), or in the list of what
+// no table has a row for (further_pairs.hpp)?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "house/overloads.hpp"
+#include "plumb/query/body/contact_pairs.hpp"
+#include "plumb/query/body/contains_pairs.hpp"
+#include "plumb/query/body/further_pairs.hpp"
+#include "plumb/query/body/hit_pairs.hpp"
+
+namespace plumb::house {
+namespace {
+
+const std::vector<std::string> asked{"contains", "first_hit",     "first_hit_parameter", "hits",
+                                     "any_hit",  "first_contact", "first_contact_time",  "intersects"};
+
+std::string question_of(const Overload& o) {
+  if (o.function == "contains") return "contains";
+  return o.function.find("hit") != std::string::npos ? "first_hit" : "first_contact";
+}
+bool moves(const std::string& type) { return type.starts_with("Translating<") || type.starts_with("Moving<"); }
+/// Figures at rest are relate's, and what takes anything answers nothing.
+bool is_asked(const Overload& o) {
+  if (o.first == "figure::Anything") return false;
+  return o.function != "intersects" || moves(o.first) || moves(o.second);
+}
+
+struct Kind {
+  FigureKind kind;
+  int dimension;
+};
+/// By the names of the types, as query/body/pairs.hpp says them.
+const std::map<std::string, Kind>& kinds() {
+  static const std::map<std::string, Kind> all = [] {
+    std::ifstream in(PLUMB_SOURCE_DIR "/include/plumb/query/body/pairs.hpp");
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::map<std::string, std::size_t> numbers;
+    const std::size_t from = text.find("enum class FigureKind");
+    const std::string listed = text.substr(from, text.find("};", from) - from);
+    const std::regex name(R"(\n  (\w+))"), kind(R"(PLUMB_KIND\((\w+), (\w+), (\d)\))");
+    for (std::sregex_iterator i(listed.begin(), listed.end(), name), end; i != end; ++i)
+      numbers.emplace((*i)[1], numbers.size());
+    std::map<std::string, Kind> found;
+    for (std::sregex_iterator i(text.begin(), text.end(), kind), end; i != end; ++i)
+      found[(*i)[1]] = {static_cast<FigureKind>(numbers.at((*i)[2])), std::stoi((*i)[3])};
+    return found;
+  }();
+  return all;
+}
+
+/// The figures that an argument may be, none if it is no figure of the tables.
+std::vector<Kind> figures_of(std::string type) {
+  if (type == "AnyRay" || type == "AnyRay2") {
+    const int dimension = type == "AnyRay" ? 3 : 2;
+    return {{FigureKind::line, dimension}, {FigureKind::ray, dimension}, {FigureKind::segment, dimension}};
+  }
+  if (moves(type)) type = type.substr(type.find('<') + 1, type.size() - type.find('<') - 2);
+  const auto found = kinds().find(type);
+  return found == kinds().end() ? std::vector<Kind>{} : std::vector<Kind>{found->second};
+}
+
+const query::QuestionTable& table_of(const Overload& o) {
+  if (o.function == "contains") return query::contains_pairs;
+  if (question_of(o) == "first_hit") return query::hit_pairs;
+  return o.first.starts_with("Moving<") ? query::moving_pairs : query::translating_pairs;
+}
+
+bool is_further(const Overload& o) {
+  return std::ranges::any_of(query::further_pairs, [&](const query::FurtherPair& p) {
+    return p.question == question_of(o) && p.first == o.first && p.second == o.second && p.header == o.header;
+  });
+}
+bool in_table(const Overload& o) {
+  const std::vector<Kind> first = figures_of(o.first), second = figures_of(o.second);
+  bool all = !first.empty() && !second.empty();
+  for (const Kind& a : first) {
+    for (const Kind& b : second) {
+      all = all && a.dimension == b.dimension && table_of(o).answers(a.kind, b.kind, a.dimension);
+    }
+  }
+  return all;
+}
+std::vector<Overload> without_place(const std::vector<Overload>& all) {
+  std::vector<Overload> lost;
+  for (const Overload& o : all) {
+    if (is_asked(o) && !in_table(o) && !is_further(o)) lost.push_back(o);
+  }
+  return lost;
+}
+std::string spoken(const Overload& o) { return o.header + ": " + o.function + "(" + o.first + ", " + o.second + ")"; }
+
+const std::vector<Overload>& all_overloads() {
+  static const std::vector<Overload> all = overloads_of(PLUMB_SOURCE_DIR, asked);
+  return all;
+}
+
+TEST(QuestionPlaces, EveryPublicFunctionHasOne) {
+  EXPECT_GT(all_overloads().size(), 200U);
+  for (const Overload& o : without_place(all_overloads()))
+    ADD_FAILURE() << spoken(o) << " has no place: of two figures it is a letter of the table of " << question_of(o)
+                  << ", of anything else the row {\"" << question_of(o) << "\", \"" << o.first << "\", \"" << o.second
+                  << "\", \"" << o.header << "\"} of include/plumb/query/body/further_pairs.hpp";
+}
+
+TEST(QuestionPlaces, NoRowIsOfWhatIsNotDeclared) {
+  for (const query::FurtherPair& p : query::further_pairs) {
+    const bool declared = std::ranges::any_of(all_overloads(), [&](const Overload& o) {
+      return is_asked(o) && question_of(o) == p.question && o.first == p.first && o.second == p.second &&
+             o.header == p.header;
+    });
+    EXPECT_TRUE(declared) << p.header << " declares no " << p.question << " of " << p.first << " and " << p.second;
+  }
+}
+
+// What first_hit takes, hits takes: with the same arguments, or by a template that takes them.
+TEST(QuestionPlaces, HitsTakesWhatFirstHitTakes) {
+  std::set<std::pair<std::string, std::string>> first_hits, yes_or_no;
+  for (const Overload& o : all_overloads()) {
+    if (o.function == "first_hit" && is_asked(o)) first_hits.insert({o.first, o.second});
+    if (o.function == "hits") yes_or_no.insert({o.first, o.second});
+  }
+  EXPECT_GT(first_hits.size(), 40U);
+  for (const auto& [ray, shape] : first_hits) {
+    if (ray == "Ray" || ray.starts_with("SplitTree<")) continue;  // templates; trees of figures are asked for the first
+    EXPECT_TRUE(yes_or_no.contains({ray, shape})) << "hits(" << ray << ", " << shape << ")";
+  }
+}
+
+TEST(QuestionPlaces, ANewFunctionIsNoticed) {
+  const auto lost = [](const std::string& declared) {
+    return without_place(overloads_in("namespace plumb {\n" + declared + "\n}", "query/new.hpp", asked));
+  };
+  EXPECT_EQ(lost("bool contains(const Cone3& outer, const Segment3& inner);").size(), 1U);
+  EXPECT_EQ(lost("std::optional<Hit> first_hit(const AnyRay& ray, const SphericalCap3& cap, double most = f(1, 2));"),
+            (std::vector<Overload>{{"first_hit", "AnyRay", "SphericalCap3", "query/new.hpp"}}));
+  EXPECT_EQ(lost("bool hits(const AnyRay2& ray, const Sphere3& ball);").size(), 1U);  // of two spaces
+  EXPECT_EQ(lost("inline bool any_hit(const AnyRay& ray, const Terrain& t) { return hits(ray, t); }").size(), 1U);
+  EXPECT_EQ(lost("template <class A>\nrequires Fine<A> std::optional<Contact>\nfirst_contact(const A& a, "
+                 "const Translating<Cone3>& b);")
+                .size(),
+            1U);
+  EXPECT_EQ(lost("bool intersects(const Translating<Line3>& a, const Translating<Ray3>& b);").size(), 1U);
+  EXPECT_EQ(lost("bool intersects(const Moving<Ray3>& a, const Moving<Ray3>& b);").size(), 1U);
+  // What has a place, what is no function of plumb's, and what only calls one.
+  EXPECT_EQ(lost("bool contains(const Sphere3& outer, const Aabb3& inner);"), std::vector<Overload>{});
+  EXPECT_EQ(lost("bool intersects(const Cone3& a, const Cone3& b);"), std::vector<Overload>{});
+  EXPECT_EQ(lost("struct Grid { bool contains(const Cone3& a, const Cone3& b) const; };"), std::vector<Overload>{});
+  EXPECT_EQ(lost("namespace query { bool contains(const Cone3& a, const Cone3& b); }"), std::vector<Overload>{});
+  EXPECT_EQ(lost("// bool contains(const Cone3& a, const Cone3& b);\nbool f() { return contains(cone, other); }"),
+            std::vector<Overload>{});
+}
+
+}  // namespace
+}  // namespace plumb::house
