@@ -154,7 +154,7 @@ TEST(CheckSurface, JsonHoldsTheSameAndDefectsFailWhereAskedTo) {
                                                         {"touching_pairs", 0},
                                                         {"overlapping_pairs", 0},
                                                         {"degenerate_triangles", 0},
-                                                        {"shells", 1},
+                                                        {"shell_count", 1},
                                                         {"closed_shells", 1},
                                                         {"inside_out_shells", 0},
                                                         {"crossing_shells", 0},

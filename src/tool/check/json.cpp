@@ -106,7 +106,7 @@ json json_of(const SurfaceCheck& s) {
          {"touching_pairs", s.met.touching},
          {"overlapping_pairs", s.met.overlapping},
          {"degenerate_triangles", s.degenerate},
-         {"shells", s.shells.size()},
+         {"shell_count", s.shells.size()},
          {"closed_shells", s.closed_shells},
          {"inside_out_shells", s.inside_out_shells},
          {"crossing_shells", s.crossing_shells},

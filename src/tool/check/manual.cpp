@@ -13,8 +13,8 @@ standard input where MESH is '-'. Of each it opens with a verdict in
 four lines: what surface the mesh is, what is wrong with it, which
 methods then take which signs wrong, and what to do about both. Each
 line is printed as soon as it is known. The tables follow: the mesh's
-size, its shells, its lattice (the largest power of two that divides every
-coordinate, and how many bits the coordinates then take), repeated
+size, its shells, its lattice (the largest power of two that divides
+every coordinate, and how many bits the coordinates then take), repeated
 vertices, triangles of exactly zero area and non-manifold edges, then
 the decisions.
 
