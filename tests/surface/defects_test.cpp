@@ -146,7 +146,7 @@ TEST(Defects, AreThoseOfBruteForce) {
         bool found = false;
         for (int turn = 0; turn < 6 && !found; ++turn) {
           if (turn == 3) std::swap(q[0], q[1]);
-          std::ranges::rotate(q, q.begin() + 1);
+          std::rotate(q.begin(), q.begin() + 1, q.end());
           if (p == q) same.push_back({t, first, turn >= 3}), found = true;
         }
         if (found) break;

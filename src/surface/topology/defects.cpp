@@ -138,7 +138,7 @@ std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh, s
     placed.clear();
     for (const std::uint32_t t : at_point[v]) {
       TriangleMesh::Triangle p = points(t);
-      std::ranges::rotate(p, std::ranges::find(p, v));
+      std::rotate(p.begin(), std::ranges::find(p, v), p.end());
       placed.push_back({{std::min(p[1], p[2]), std::max(p[1], p[2])}, t, p[1] > p[2]});
     }
     std::ranges::sort(placed, {}, &Placed::order);

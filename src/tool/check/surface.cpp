@@ -100,9 +100,9 @@ SurfaceCheck check_surface(const TriangleMesh& mesh, const MeshEdges& edges, con
   c.repeated_vertices = statistics.repeated_vertices;
   c.non_manifold_edges = statistics.non_manifold_edges;
   c.non_manifold_vertices = non_manifold_vertices(mesh, edges).size();
-  std::vector<VertexOnEdge> on_edges = vertices_on_edges(edges, bvh);
-  const auto repeated = std::ranges::unique(on_edges, {}, &VertexOnEdge::vertex);
-  c.vertices_on_edges = on_edges.size() - repeated.size();
+  const std::vector<VertexOnEdge> on_edges = vertices_on_edges(edges, bvh);
+  for (std::size_t i = 0; i < on_edges.size(); ++i)
+    c.vertices_on_edges += i == 0 || on_edges[i].vertex != on_edges[i - 1].vertex;
   const std::vector<CoincidentTriangle> coincident = coincident_triangles_of(mesh, statistics);
   c.opposite_triangles =
       static_cast<std::uint64_t>(std::ranges::count(coincident, true, &CoincidentTriangle::opposite));
