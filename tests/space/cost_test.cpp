@@ -1,8 +1,8 @@
 // Are the searches bounded whatever the exponents are?  Instructions are counted, since times differ from run to run:
 // for nine points of ordinary exponents, and for nine whose exponents span all that doubles have.
 //
-// The processor's counter is asked where there is one, else callgrind runs this program again.  Each row of the table says
-// what its question may take; what the headers say of cost is held here.
+// The processor's counter is asked where there is one, else callgrind runs this program again.  Each row of the table
+// says what its question may take; what the headers say of cost is held here.
 #include <gtest/gtest.h>
 #include <linux/perf_event.h>
 #include <sys/ioctl.h>
