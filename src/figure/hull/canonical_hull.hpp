@@ -1,4 +1,4 @@
-// Which numbers say a hull, in whatever order its points were given?  For constructions whose roundings depend on order.
+// Which numbers say a hull, in whatever order its points were given?  For constructions whose roundings depend on it.
 //
 // Laws: (1) points that differ in their order, in repetitions, in what lies within the hull or in signs of zeros alone
 // give the same bits.  (2) `hull` is what convex_hull gives for `vertices`, which are ordered by x, then y, then z, and
@@ -19,8 +19,8 @@ struct CanonicalHull {
   std::vector<Point3> vertices;
   Hull3 hull;
 
-  /// `given` is convex_hull(points).  Throws InvalidShape, by the name of the function that asks, where it names a point
-  /// that there is not.
+  /// `given` is convex_hull(points).  Throws InvalidShape, by the name of the function that asks, where it names a
+  /// point that there is not.
   CanonicalHull(std::string_view function, const Hull3& given, std::span<const Point3> points);
 };
 

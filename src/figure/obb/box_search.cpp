@@ -12,8 +12,8 @@ namespace {
 
 // The tolerance of the result, a guess of what pays: no volume is sought that is smaller by less than this part of it.
 constexpr double finest_worth = 0x1p-42;
-// By how much, as a part of the hull's extent, a box is too thick because its axes are doubles: what that leaves open is
-// not worth the while, which is a guess too, as is how far off volumes in doubles are.
+// By how much, as a part of the hull's extent, a box is too thick because its axes are doubles: what that leaves open
+// is not worth the while, which is a guess too, as is how far off volumes in doubles are.
 constexpr double axes_error = 0x1p-52, noise = 4 * axes_error;
 // Where the search stops, guesses of what still pays: a turn smaller than this is not halved, nor are parts beyond this
 // depth; what is left so counts as what it may be.

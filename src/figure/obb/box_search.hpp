@@ -11,8 +11,8 @@
 // running the same formula over numbers that carry them.  (2) Deterministic.
 // Source: O'Rourke, "Finding minimal enclosing boxes", 1985; Jylanki, "An exact algorithm for finding minimum oriented
 // bounding boxes", 2015, for the idea of pairs; RTCD 4.4.3.
-// Cost: a nanosecond for each pair of edges whose widths are small, 50 for those whose normals can be perpendicular, some
-// microseconds where pairs of doubles decide; of parts no more than some ten thousand and some hundred for each arc.
+// Cost: a nanosecond for each pair of edges whose widths are small, 50 for those whose normals can be perpendicular,
+// some microseconds where pairs of doubles decide; of parts no more than some ten thousand and some hundred for each arc.
 #pragma once
 
 #include <array>

@@ -33,6 +33,9 @@ PenetrationBounds penetration_bounds_of(const SupportCall& a, const SupportCall&
   }
   const BigDyadic both_off = BigDyadic(options.rounding) + BigDyadic(options.rounding), none;
   MappingHull of_a(function, "a", a, options.rounding), of_b(function, "b", b, options.rounding);
+  // Both bounds give way by what is off of both points: nearer than four times that they never come.
+  constexpr double pays = 8;  // a guess
+  const double near_enough = std::max(options.within, pays * options.rounding);
   PenetrationBounds r;
   r.upper = Ball::infinity;
   Vector3 n{1, 0, 0};
@@ -56,7 +59,7 @@ PenetrationBounds penetration_bounds_of(const SupportCall& a, const SupportCall&
       if (options.rounding == 0 || r.lower > 0) r.told = GjkTold::meeting;
     }
     const bool is_new = !has_been_told(of_a.points()) || !has_been_told(of_b.points());
-    if (r.upper - r.lower <= options.within || !is_new || r.steps >= options.most_steps) return r;
+    if (r.upper - r.lower <= near_enough || !is_new || r.steps >= options.most_steps) return r;
     if (deep) {
       n = deep->direction;
     } else {

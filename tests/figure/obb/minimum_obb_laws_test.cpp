@@ -1,5 +1,5 @@
-// Does the least box depend on the points alone, is it as near to the least as its header promises, and which boxes along
-// the axes of space are smaller?
+// Does the least box depend on the points alone, is it as near to the least as its header promises, and which boxes
+// along the axes of space are smaller?
 #include <gtest/gtest.h>
 
 #include <algorithm>

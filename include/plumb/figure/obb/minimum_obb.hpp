@@ -16,8 +16,8 @@
 // BeyondDoubles.
 // Source: O'Rourke, "Finding minimal enclosing boxes", 1985; RTCD 4.4.3; Freeman and Shapira 1975, Toussaint 1983 for
 // the plane.
-// Cost: the hull; then about quadratic in its edges, some tens of milliseconds for a thousand vertices.  Never more than
-// 65,536 parts of the orientations and 4,096 an edge, a microsecond or some each: that bounds it whatever the exponents
+// Cost: the hull; then about quadratic in its edges, some tens of milliseconds for a thousand vertices.  Never more
+// than 65,536 parts of the orientations and 4,096 an edge, a microsecond or some each: that bounds it whatever the exponents
 // are, some 0.1 s for ten points.  The plane n log n.
 #pragma once
 

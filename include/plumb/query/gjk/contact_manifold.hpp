@@ -16,7 +16,8 @@
 // Source: RTCD 9.5.3; the faces at a plane between bodies that touch are those of a linear program's optimum: Chvatal, Linear
 // Programming, 1983.
 // Cost: rationals: a millisecond and more with each corner of a face; of hulls of points and of flat bodies that cross
-// something the corners of both count.
+// something the corners of both count.  Exponents that span all doubles take some forty times as long, 0.2 s for hulls of
+// nine points: products grow with the square of the span, the steps do not.
 #pragma once
 
 #include "plumb/query/section/intersection_result.hpp"

@@ -9,7 +9,8 @@
 // Capsules and lozenges are answered where they are as round as it: UnevenPose else, as for flat ones and balls.  NaN and
 // infinity throw NonFinite, by name.  Cylinders, cones and caps are not asked.
 // Source: RTCD 4.7, 5.2; src/query/convex/ellipsoid_pair.hpp.
-// Cost: rationals: some 30 us, more with each corner.
+// Cost: rationals: some 30 us, more with each corner; of two ellipsoids a millisecond, and up to some seconds where
+// exponents span all doubles, for products of high degree are as long.
 #pragma once
 
 #include "plumb/query/overlap/posed.hpp"
