@@ -14,6 +14,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "certify/forbidden_threads.hpp"
@@ -80,8 +81,8 @@ const std::vector<Writer> writers{
       "a.svg", "--overwrite"},
      {"a.json", "a.npy", "b.npy", "a.svg"}},
     {{"check", "part.obj", "--json", "a.json", "--chart", "a.svg"}, {"a.json", "a.svg"}},
-    {{"plan", "part.obj", "--json", "a.json", "--chart", "a.svg"}, {"a.json", "a.svg"}},
-    {{"bounds", "part.obj", "--json", "a.json", "--chart", "a.svg"}, {"a.json", "a.svg"}},
+    {{"plan", "small.obj", "--json", "a.json", "--chart", "a.svg"}, {"a.json", "a.svg"}},
+    {{"bounds", "small.obj", "--json", "a.json", "--chart", "a.svg"}, {"a.json", "a.svg"}, false},
     {{"bvh", "part.obj", "--json", "a.json", "--svg", "a.svg", "--overwrite"}, {"a.json", "a.svg"}},
     {{"section", "part.obj", "--plane", "z=0.3", "--json", "a.json", "--svg", "a.svg", "--dxf", "a.dxf"},
      {"a.json", "a.svg", "a.dxf"},
@@ -108,16 +109,16 @@ void write_inputs(const std::string& folder) {
     points << x << ',' << y << ',' << z << '\n';
     queries << y << ',' << z << ',' << x << '\n';
   }
-  for (const auto& [name, at] : {std::pair("part", 0.0), std::pair("near", 0.4), std::pair("far", 7.0)}) {
+  for (const auto& [name, at, n] :
+       {std::tuple("part", 0.0, 80), {"near", 0.4, 80}, {"far", 7.0, 80}, {"small", 0.0, 24}}) {
     std::ofstream mesh(folder + "/" + name + ".obj");
-    constexpr int n = 40;  // a bumpy ring
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < n; ++k) {
         const double u = 6.283185307179586 * i / n, v = 6.283185307179586 * k / n, r = 2 + std::cos(v) * 0.7;
         mesh << "v " << at + r * std::cos(u) << ' ' << r * std::sin(u) << ' ' << 0.7 * std::sin(v) << '\n';
       }
     }
-    const auto number = [](int i, int k) { return i % n * n + k % n + 1; };
+    const auto number = [n = n](int i, int k) { return i % n * n + k % n + 1; };  // of a ring
     for (int i = 0; i < n; ++i) {
       for (int k = 0; k < n; ++k) {
         mesh << "f " << number(i, k) << ' ' << number(i + 1, k) << ' ' << number(i + 1, k + 1) << ' '
