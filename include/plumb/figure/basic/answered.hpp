@@ -89,10 +89,56 @@ PLUMB_NO_ANSWER(Answer,
                 "<plumb/figure.hpp>)")
 centroid(PLUMB_ANYTHING) PLUMB_DELETED;
 
+template <class Answer = double>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: signed_area takes a Triangle2, Quadrilateral2, Polygon2 or HoledPolygon2; area takes flat "
+                "figures of space as well")
+signed_area(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer, "plumb: is_empty takes a box or a k-DOP; no other figure can be")
+is_empty(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Point3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: barycentric takes a segment, triangle or tetrahedron and then a point of its space: "
+                "barycentric(triangle, p)")
+barycentric(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: voronoi_region takes a segment, triangle, tetrahedron, box of space or convex polyhedron and "
+                "then a point of its space: voronoi_region(triangle, p)")
+voronoi_region(PLUMB_ANYTHING) PLUMB_DELETED;
+
 // What is known of many, and of what they bound?
 template <class Answer = Hull3>
 PLUMB_NO_ANSWER(Answer, "plumb: convex_hull takes a span or vector of Point2 or Point3, and then options")
 convex_hull(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: convex_polyhedron takes a PolygonMesh or TriangleMesh, or a Hull3 and its points: "
+                "convex_polyhedron(convex_hull(points), points)")
+convex_polyhedron(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Obb3>
+PLUMB_NO_ANSWER(Answer, "plumb: fit_obb takes axes and then a span of points; minimum_obb(points) finds the axes")
+fit_obb(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(
+    Answer, "plumb: fit_k_dop takes a span of points and then directions, or how many of them: fit_k_dop(points, 14)")
+fit_k_dop(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer, "plumb: minkowski_sum takes two convex polygons, two convex polyhedra or two spans of points")
+minkowski_sum(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: minkowski_difference takes two convex polygons, two convex polyhedra or two spans of points")
+minkowski_difference(PLUMB_ANYTHING) PLUMB_DELETED;
 
 template <class Answer = std::vector<std::uint32_t>>
 PLUMB_NO_ANSWER(Answer, "plumb: extreme_points takes a span of points and then a vector of their space")

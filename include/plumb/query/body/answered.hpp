@@ -18,9 +18,11 @@ struct Contact;
 struct ContactManifold;
 struct ExactDistance;
 struct GjkAnswer;
+struct GjkBounds;
 struct Hit;
 struct Intersection3;
 struct Penetration;
+struct PenetrationAlong;
 struct RayParameter;
 struct TimeSpan;
 
@@ -95,6 +97,10 @@ PLUMB_NO_ANSWER(Answer,
                 "docs/closest.md (include <plumb/query.hpp>); exact_distance takes more")
 squared_distance_exact(PLUMB_ANYTHING) PLUMB_DELETED;
 
+template <class Answer = double>
+PLUMB_NO_ANSWER(Answer, "plumb: closest_parameter takes a line, ray or segment and then a point of its space")
+closest_parameter(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class Answer = Sign>
 PLUMB_NO_ANSWER(Answer,
                 "plumb: compare_distance takes two figures and then a number or two more figures, each pair one that "
@@ -152,6 +158,17 @@ PLUMB_NO_ANSWER(Answer,
                 "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
                 "VertexHull3, balls, capsules, lozenges")
 exact_penetration(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<PenetrationAlong>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: penetration_along takes two convex bodies of space and then a Vector3 or a span of them: "
+                "penetration_along(a, b, up)")
+penetration_along(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = GjkBounds>
+PLUMB_NO_ANSWER(
+    Answer, "plumb: gjk_bounds takes two figures that support_point takes, or two support mappings, and then options")
+gjk_bounds(PLUMB_ANYTHING) PLUMB_DELETED;
 
 template <class Answer = GjkAnswer>
 PLUMB_NO_ANSWER(Answer,

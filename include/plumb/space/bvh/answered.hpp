@@ -17,6 +17,7 @@ struct Bvh;
 struct BoxPair;
 struct ClosestOnMesh;
 struct ClosestTriangles;
+struct HausdorffDistance;
 struct NearestPoint;
 struct NearTriangle;
 struct NumberedHit;
@@ -74,6 +75,12 @@ PLUMB_NO_ANSWER(
     "index of boxes, and then a BoxPairSink and options; of meshes ask intersecting_pairs(build_bvh(a), build_bvh(b))")
 overlapping_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
+template <class Answer = std::vector<BoxPair>>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: sort_and_sweep_pairs takes spans or vectors of one kind of box, Aabb2, Aabb3, FloatBox2 or FloatBox3")
+sort_and_sweep_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
+
 // How near is a mesh?
 template <class Answer = std::optional<ClosestOnMesh>>
 PLUMB_NO_ANSWER(Answer,
@@ -105,7 +112,25 @@ PLUMB_NO_ANSWER(Answer,
                 "of them, the list of space/range/range_search.hpp: triangles_meeting(build_bvh(mesh), box)")
 triangles_meeting(PLUMB_ANYTHING) PLUMB_DELETED;
 
+template <class Answer = HausdorffDistance>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: hausdorff_distance takes the trees of two meshes, both a Bvh or both a PosedMesh: "
+                "hausdorff_distance(build_bvh(a), build_bvh(b))")
+hausdorff_distance(PLUMB_ANYTHING) PLUMB_DELETED;
+
 // What does a ray hit?
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: first_triangles takes a span of AnyRay, the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
+                "PosedCompactMesh, and a span of answers: first_triangles(rays, build_bvh(mesh), out)")
+first_triangles(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: first_hits takes a span of AnyRay, the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
+                "PosedCompactMesh, and a span of answers: first_hits(rays, build_bvh(mesh), out)")
+first_hits(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class Answer = std::optional<std::uint32_t>>
 PLUMB_NO_ANSWER(Answer,
                 "plumb: first_triangle takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
@@ -124,7 +149,19 @@ PLUMB_NO_ANSWER(Answer,
                 "PosedMesh or PosedCompactMesh: count_hits(ray, build_bvh(mesh))")
 count_hits(PLUMB_ANYTHING) PLUMB_DELETED;
 
-// Which are nearest?
+// Which are near, and which nearest?
+template <class Answer = std::vector<std::uint32_t>>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: in_box takes an index of points or figures and then an Aabb2 or Aabb3: in_box(build_kd_tree(points), box)")
+in_box(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::vector<std::uint32_t>>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: within takes an index of points or figures, a point and then a radius: "
+                "within(build_kd_tree(points), p, 2.0)")
+within(PLUMB_ANYTHING) PLUMB_DELETED;
+
 template <class Answer = NearestPoint>
 PLUMB_NO_ANSWER(Answer,
                 "plumb: nearest takes an index, of points (build_kd_tree), of figures (build_figure_tree), a batch or "
