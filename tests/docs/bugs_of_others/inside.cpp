@@ -19,10 +19,10 @@ std::string all(const Polygon2& polygon, const std::vector<Point2>& points) {
     const Location location = locate(polygon, p);
     Polygon2 other = polygon;
     for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
-      std::ranges::rotate(other.vertices, other.vertices.begin() + 1);
+      std::rotate(other.vertices.begin(), other.vertices.begin() + 1, other.vertices.end());
       EXPECT_EQ(locate(other, p), location);
     }
-    std::ranges::reverse(other.vertices);
+    std::reverse(other.vertices.begin(), other.vertices.end());
     EXPECT_EQ(locate(other, p), location);
     places += (places.empty() ? "" : ", ") + told(location);
   }
