@@ -2,7 +2,6 @@
 // rationals, as the triangles that polygons are cut into, under poses and where both move, and where they pass holes.
 #include <gmock/gmock.h>
 
-#include <numeric>
 #include <variant>
 
 #include "certify/sanitized.hpp"
@@ -136,6 +135,8 @@ const std::vector<Cut>& cuts() {
 }
 
 struct MovingPolygon {
+  MovingPolygon(HoledPolygon3 p, std::vector<Triangle3> of, const Vector3& motion)
+      : polygon(std::move(p)), triangles(std::move(of)), by(motion) {}
   explicit MovingPolygon(Material& m) : by{whole(m, 2), whole(m, 2), whole(m, 2)} {
     const Cut& cut = cuts()[m.below(cuts().size())];
     const Point3 o{whole(m, 2), whole(m, 2), whole(m, 2)};
@@ -210,22 +211,24 @@ void expect_lowest(const std::string& about, const AnyMover& a, const MovingPoly
     return std::tuple(static_cast<int>(p.kind) + static_cast<int>(q.kind), p.kind, p.index, q.kind, q.index);
   };
   const auto told = rank(contact.feature_a, contact.feature_b);
-  auto [body, by] = a.mover();
-  if (!body.is_plane) {  // all of it, for a vertex of the polygon that is inside
-    std::vector<std::size_t> all(body.points.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    body.parts.push_back({inside, all});
+  const auto [body, by] = a.mover();
+  std::vector<std::pair<Feature, oracle::Body>> parts;
+  const bool is_all_space = body.is_plane && oracle::is_zero(body.normal);
+  // A vertex of the polygon may be inside, which is known by all edges of the body.  All of space has no face.
+  if (!body.is_plane || is_all_space) parts.push_back({inside, body});
+  if (!is_all_space) {
+    for (const oracle::Part& p : body.parts) parts.push_back({p.feature, body.part(p)});
   }
   const oracle::Vector velocity = oracle::operator-(by, oracle::vector(b.by));
   bool found = false;
-  for (const oracle::Part& p : body.parts) {
+  for (const auto& [of_body, body_part] : parts) {
     for (const auto& [feature, part] : b.features()) {
-      const auto of_pair = rank(p.feature, feature);
+      const auto of_pair = rank(of_body, feature);
       if (of_pair > told) continue;
-      const auto when = oracle::first_time(body.part(p), part, velocity);
+      const auto when = oracle::first_time(body_part, part, velocity);
       const bool in_time = when && compare(*when, std::nextafter(contact.time, 2.0)) < 0;
       EXPECT_FALSE(in_time && of_pair < told)
-          << about << " feature " << p.feature.index << " of the body, " << feature.index << " of the polygon";
+          << about << " feature " << of_body.index << " of the body, " << feature.index << " of the polygon";
       found = found || (in_time && of_pair == told);
     }
   }
@@ -252,6 +255,31 @@ TEST(PolygonContact, BodiesAsTheTriangles) {
   EXPECT_LT(seen.met * 6, seen.cases * 5);
   EXPECT_GE(seen.faces, battery::sanitized ? 0 : 2);  // a fifth of the cases may have none
   EXPECT_GT(seen.later * 5, seen.met);
+}
+
+TEST(PolygonContact, VertexInsideIsTheLowest) {
+  const Vector3 rest{0, 0, 0};
+  // A hole that is a spike comes into a skew box, which the rest of the polygon is clear of.
+  const AnyMover box{
+      Obb3{{-4, -5, 4}, {{{3, 3, 0}, {-3, -2, -3}, {0, 2, 2}}}, {1, 3, 1}},
+      {384, -128, 384},
+  };
+  const MovingPolygon spike{{{{{2, 0, 0}, {-1, 0, 3}, {5, 0, 3}}}, {{{{2, 0, 8}, {1, 0, 11}, {2, 0, 8}}}}},
+                            {{{2, 0, 0}, {-1, 0, 3}, {5, 0, 3}}, {{2, 0, 8}, {1, 0, 11}, {1, 0, 11}}},
+                            {2, 0, -2}};
+  const Contact in_box{0, inside, {FeatureKind::vertex, 3}};
+  EXPECT_EQ(posed_contact(box.motion(), spike.motion()), in_box);
+  expect_lowest("a box", box, spike, in_box);
+  // All of space, which a plane without a normal is, has an inside; edges that bound none do not overlap it.
+  const AnyMover space{Plane3{{0, 0, 0}, 0}, rest};
+  const MovingPolygon there_and_back{
+      {{{{1, 0, 1}, {1, -4, 5}, {6, -4, 0}, {1, -4, 5}}}, {}},
+      {{{1, 0, 1}, {1, -4, 5}, {1, -4, 5}}, {{1, -4, 5}, {6, -4, 0}, {6, -4, 0}}},
+      rest,
+  };
+  const Contact in_space{0, inside, {FeatureKind::vertex, 0}};
+  EXPECT_EQ(posed_contact(space.motion(), there_and_back.motion()), in_space);
+  expect_lowest("all of space", space, there_and_back, in_space);
 }
 
 TEST(PolygonContact, PolygonsAsTheTriangles) {

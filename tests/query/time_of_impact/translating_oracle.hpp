@@ -77,7 +77,7 @@ struct Body {
   Vector normal;
   Number offset;
 
-  /// The part alone.
+  /// The part alone, around which its corners go: of those of a solid some edges would be missing.
   [[nodiscard]] Body part(const Part& p) const {
     Body b{{}, {}, {}, reach, is_plane, normal, offset};
     for (const std::size_t i : p.corners) b.points.push_back(points[i]);
