@@ -11,6 +11,8 @@
 
 #include <cstddef>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 class ThreadLimit {

@@ -12,6 +12,8 @@
 #include <array>
 #include <string_view>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb::query {
 
 struct FurtherPair {
