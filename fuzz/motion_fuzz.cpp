@@ -20,8 +20,7 @@ Case case_from(std::span<const std::uint8_t> bytes) {
   const std::size_t form = bytes[0] % (lab::moving_cases::kinds.size() + 1);
   bytes = bytes.subspan(1);
   Entropy entropy = Entropy::from_bytes(bytes);
-  if (form < lab::moving_cases::kinds.size())
-    return lab::moving_cases::make(lab::moving_cases::kinds[form], entropy);
+  if (form < lab::moving_cases::kinds.size()) return lab::moving_cases::make(lab::moving_cases::kinds[form], entropy);
   Case c;
   c.vertex_face = !bytes.empty() && bytes[0] % 2 == 0;
   std::array<double, 24> x{};

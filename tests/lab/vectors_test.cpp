@@ -12,10 +12,10 @@
 
 #include "certify/sanitized.hpp"
 #include "lab/trial/location_tests.hpp"
+#include "lab/trial/terms.hpp"
 #include "lab/vectors/command.hpp"
 #include "lab/vectors/sized_cases.hpp"
 #include "plumb/query/kinds/kinds.hpp"
-#include "lab/trial/terms.hpp"
 #include "tool/run_program.hpp"
 #include "tool/trial/task.hpp"
 

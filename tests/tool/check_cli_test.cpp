@@ -223,7 +223,8 @@ TEST(Check, ReadsItsOwnSampleFromEveryFormat) {
     EXPECT_EQ(read.at("triangles"), own.at("triangles")) << name;
     EXPECT_EQ(read.at("statistics").at("zero_area_triangles"), 12) << name;
     if (name == "s.stl") continue;  // it knows no indices: what was repeated is merged
-    for (const char* part : {"statistics", "lattice", "edge_bends"}) EXPECT_EQ(read.at(part), own.at(part)) << name << part;
+    for (const char* part : {"statistics", "lattice", "edge_bends"})
+      EXPECT_EQ(read.at(part), own.at(part)) << name << part;
   }
 }
 

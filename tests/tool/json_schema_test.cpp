@@ -50,8 +50,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
   static const std::map<std::string, std::vector<std::string>> all{
       {"bounds", {"cube.obj open.obj --placements 20", "sliver.off --placements 5"}},
       {"bvh", {"cube.obj", "open.obj --method linear", "cube.obj --split-share 0.5"}},
-      {"check",
-       {"cube.obj open.obj sliver.off", "--verify cube.obj crossing.obj", "--all open.obj"}},
+      {"check", {"cube.obj open.obj sliver.off", "--verify cube.obj crossing.obj", "--all open.obj"}},
       {"convex", {"cube.obj far.obj", "cube.obj crossing.obj", "cube.obj open.obj", "cube.obj cube.obj"}},
       {"distance", {"cube.obj far.obj", "cube.obj crossing.obj"}},
       {"inside",
@@ -102,7 +101,8 @@ TEST(JsonSchema, RefusesWhatItDoesNotName) {
       std::ofstream(file) << wrong;
       files += file + ' ';
     };
-    for (const auto& at : right.flatten().items()) {
+    const json places = right.flatten();
+    for (const auto& at : places.items()) {
       const json::json_pointer place(at.key()), around = place.parent_pointer();
       if (!right.at(around).is_object()) continue;
       json misspelt = right, other = right;

@@ -19,7 +19,8 @@ std::string set_line(const PointInput& set, std::string_view one, std::string_vi
 }
 
 nlohmann::json set_json(const PointInput& set) {
-  nlohmann::json said = set.mesh ? mesh_json(*set.mesh) : nlohmann::json{{"file", set.name}, {"inexact_decimals", set.inexact}};
+  nlohmann::json said =
+      set.mesh ? mesh_json(*set.mesh) : nlohmann::json{{"file", set.name}, {"inexact_decimals", set.inexact}};
   said.update({{"size", set.size()}, {"dimension", set.is_planar ? 2 : 3}});
   return said;
 }

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <map>
 
-#include "query/time_of_impact/generated_queries.hpp"
 #include "lab/stability/ccd_queries.hpp"
+#include "query/time_of_impact/generated_queries.hpp"
 
 namespace plumb::lab::ccd {
 namespace {

@@ -9,13 +9,13 @@
 #include <map>
 #include <string>
 
+#include "lab/trial/contact_judge.hpp"
+#include "lab/trial/moving_cases.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "query/time_of_impact/brief_contact.hpp"
 #include "query/time_of_impact/contact_filter.hpp"
 #include "query/time_of_impact/exact_contact.hpp"
-#include "lab/trial/contact_judge.hpp"
-#include "lab/trial/moving_cases.hpp"
 
 namespace plumb::lab::moving_cases {
 namespace {

@@ -13,8 +13,8 @@
 #include "certify/mutant_statements.hpp"
 #include "certify/proved_statements.hpp"
 #include "certify/statements/promised_share.hpp"
-#include "plumb/certify/judged_proofs.hpp"
 #include "lab/trial/moving_cases.hpp"
+#include "plumb/certify/judged_proofs.hpp"
 
 namespace plumb::query::moving {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "bench/rivals/chart_rival.hpp"
-#include "plumb/figure/basic/simplex.hpp"
 #include "lab/trial/mesh_questions.hpp"
+#include "plumb/figure/basic/simplex.hpp"
 
 namespace plumb::bench {
 
