@@ -13,11 +13,9 @@
 
 #if defined(__FAST_MATH__)
 #error "plumb: -ffast-math breaks the proofs behind every exact sign; compile without it"
-#endif
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "plumb: -ffinite-math-only removes the tests that catch overflow and NaN; compile without it"
-#endif
-#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#elif defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
 #error "plumb: doubles must be evaluated as doubles (on 32-bit x86 use -msse2 -mfpmath=sse)"
 #endif
 
@@ -25,15 +23,13 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<doub
 
 // Part of -ffast-math by another name.  GCC says each by a macro; Clang 14 none of these, and check_environment() looks
 // for what they do to the code that calls it.
-#if defined(__ASSOCIATIVE_MATH__)
+#if defined(__FAST_MATH__)
+#elif defined(__ASSOCIATIVE_MATH__)
 #error "plumb: -fassociative-math (of -funsafe-math-optimizations) reorders the sums of the proofs; compile without it"
-#endif
-#if defined(__RECIPROCAL_MATH__)
+#elif defined(__RECIPROCAL_MATH__)
 #error "plumb: -freciprocal-math (of -funsafe-math-optimizations) rounds a quotient twice; compile without it"
-#endif
-#if defined(__NO_SIGNED_ZEROS__)
+#elif defined(__NO_SIGNED_ZEROS__)
 #error "plumb: -fno-signed-zeros (of -funsafe-math-optimizations) changes the bits of answers; compile without it"
-#endif
-#if defined(__GCC_IEC_559) && __GCC_IEC_559 == 0 && !defined(__FAST_MATH__)
+#elif defined(__GCC_IEC_559) && __GCC_IEC_559 == 0
 #error "plumb: an option takes IEEE-754 arithmetic away (GCC says so by __GCC_IEC_559); compile without it"
 #endif

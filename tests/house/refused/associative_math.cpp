@@ -1,8 +1,6 @@
-// The errors of a sum, which the proofs take apart, are zero where the compiler may reorder it.  GCC takes that flag with
-// another alone, which is refused as well: a line more.
+// The errors of a sum, which the proofs take apart, are zero where the compiler may reorder it.
 // refused: -fassociative-math .* reorders the sums
 // flags: -fassociative-math -fno-signed-zeros -fno-trapping-math
-// lines: 13
 // said by: GCC
 #include "plumb/predicates.hpp"
 
