@@ -42,7 +42,7 @@ CanonicalHull::CanonicalHull(std::string_view function, const Hull3& given, std:
   std::vector<std::vector<std::uint32_t>> faces(given.face_count());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (const std::uint32_t v : given.face(f)) faces[f].push_back(renumbered(v));
-    std::ranges::rotate(faces[f], std::ranges::min_element(faces[f]));
+    std::rotate(faces[f].begin(), std::ranges::min_element(faces[f]), faces[f].end());  // Clang 14 has no subranges
   }
   std::ranges::sort(faces);
   for (const auto& face : faces) {

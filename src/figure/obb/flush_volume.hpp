@@ -23,6 +23,8 @@ template <class N>
 struct FlushTurn {
   arith::Vec<N> a0, a1, edge, d1, d2, d3;
 };
+template <class N, class... Others>
+FlushTurn(arith::Vec<N>, Others...) -> FlushTurn<N>;
 
 enum class FlushVerdict : unsigned char { excluded, unsure, open };
 
