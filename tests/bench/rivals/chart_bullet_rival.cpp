@@ -71,7 +71,7 @@ void add_bullet(Rivals& all) {
       },
       [](const Clouds& q) {
         const double apart = gap(q.first.shape(), q.second.shape());
-        return std::isnan(apart) ? tool::trial::unsure : tool::trial::as_answer(apart <= 0);
+        return std::isnan(apart) ? lab::trial::unsure : lab::trial::as_answer(apart <= 0);
       });
   join<36>(all, "hull-3d", "bullet", "Bullet's btConvexHullComputer", [](const std::array<double, 36>& q) {
     btConvexHullComputer hull;

@@ -59,7 +59,7 @@ struct Made {
     auto mesh = std::make_unique<Mesh>();
     std::array<typename Mesh::Vertex_index, 6> vertices;
     for (std::size_t i = 0; i < 6; ++i) vertices[i] = mesh->add_vertex(point(&q[3 + 3 * i]));
-    for (const auto& f : tool::trial::octahedron_faces) mesh->add_face(vertices[f[0]], vertices[f[1]], vertices[f[2]]);
+    for (const auto& f : lab::trial::octahedron_faces) mesh->add_face(vertices[f[0]], vertices[f[1]], vertices[f[2]]);
     auto side = std::make_unique<Side>(*mesh);
     return {point(&q[0]), std::move(mesh), std::move(side)};
   }
@@ -105,7 +105,7 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
   const auto call = [&](const std::string& function) { return function + ", " + about; };
   const auto meet = [](const auto& q) { return CGAL::do_intersect(q.first, q.second); };
   const auto meet_if_sound = [](const auto& q) {
-    return q.sound ? tool::trial::as_answer(CGAL::do_intersect(q.first, q.second)) : tool::trial::unsure;
+    return q.sound ? lab::trial::as_answer(CGAL::do_intersect(q.first, q.second)) : lab::trial::unsure;
   };
   const auto far = [](const auto& q) { return root(CGAL::squared_distance(q.first, q.second)); };
   join<15>(
@@ -159,9 +159,9 @@ void add_kernel(Rivals& all, const std::string& name, const std::string& about) 
       },
       far);
   using P2s = std::vector<typename K::Point_2>;
-  join<std::tuple_size_v<tool::trial::PolygonNumbers>>(
+  join<std::tuple_size_v<lab::trial::PolygonNumbers>>(
       all, "point-in-polygon", name, call("CGAL's bounded_side_2"),
-      [](const tool::trial::PolygonNumbers& q) {
+      [](const lab::trial::PolygonNumbers& q) {
         return std::pair{typename K::Point_2(q[0], q[1]), M::points2(q, 1)};
       },
       [](const std::pair<typename K::Point_2, P2s>& q) {

@@ -28,7 +28,7 @@ double answer(const Sign& sign) {
 }
 template <class Sign>
 double answer(const CGAL::Uncertain<Sign>& sign) {
-  return sign.is_certain() ? answer(sign.make_certain()) : tool::trial::unsure;
+  return sign.is_certain() ? answer(sign.make_certain()) : lab::trial::unsure;
 }
 
 struct Nothing {};

@@ -7,7 +7,7 @@
 namespace plumb::bench {
 namespace {
 
-using namespace tool::trial;
+using namespace lab::trial;
 
 template <class Tree>
 Method by_tree(std::string name, std::string about) {

@@ -17,7 +17,7 @@ auto points_of(const std::array<double, N>& q) {
   return points;
 }
 
-double sign(double x) { return tool::trial::as_answer(sign_of_number(x)); }
+double sign(double x) { return lab::trial::as_answer(sign_of_number(x)); }
 
 /// Of the differences from the last point, each with its square at the end where `Lifted`.
 template <int Dimension, bool Lifted, std::size_t Points>

@@ -69,12 +69,12 @@ bool taken(const RTCRay& r) {
 }
 
 double occluded(const Cast& q) {
-  if (!taken(q.ray)) return tool::trial::unsure;
+  if (!taken(q.ray)) return lab::trial::unsure;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRay ray = q.ray;
   rtcOccluded1(q.scene.get(), &context, &ray);
-  return tool::trial::as_answer(ray.tfar < 0);  // so Embree says yes
+  return lab::trial::as_answer(ray.tfar < 0);  // so Embree says yes
 }
 
 struct Crossings {
@@ -89,13 +89,13 @@ void count_hit(const RTCFilterFunctionNArguments* args) {
 }
 
 double odd(const Cast& q) {
-  if (!taken(q.ray)) return tool::trial::unsure;
+  if (!taken(q.ray)) return lab::trial::unsure;
   Crossings crossings{};
   rtcInitIntersectContext(&crossings.context);
   crossings.context.filter = count_hit;
   RTCRay ray = q.ray;
   rtcOccluded1(q.scene.get(), &crossings.context, &ray);
-  return tool::trial::as_answer(crossings.count % 2 == 1);
+  return lab::trial::as_answer(crossings.count % 2 == 1);
 }
 
 void add(Rivals& all, const std::string& name, const std::string& how, RTCSceneFlags flags) {
@@ -117,7 +117,7 @@ void add(Rivals& all, const std::string& name, const std::string& how, RTCSceneF
       all, "point-in-polyhedron", name, "the faces met by Embree's ray along the first axis, " + how,
       [=](const std::array<double, 21>& q) {
         const auto with_filter = static_cast<RTCSceneFlags>(flags | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-        return Cast{scene_of(std::span(q).subspan(3), tool::trial::octahedron_faces, with_filter),
+        return Cast{scene_of(std::span(q).subspan(3), lab::trial::octahedron_faces, with_filter),
                     ray_of(&q[0], {1, 0, 0}, endless)};
       },
       odd);

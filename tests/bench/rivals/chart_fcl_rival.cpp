@@ -19,7 +19,7 @@ std::array<Vec, N / 3> points_of(const std::array<double, N>& q) {
 /// times.
 double within_range(const std::array<Vec, 8>& p, bool (*ask)(const std::array<Vec, 8>&)) {
   const auto huge = [](const Vec& v) { return v.cwiseAbs().maxCoeff() >= 0x1p300; };
-  return std::ranges::any_of(p, huge) ? tool::trial::unsure : tool::trial::as_answer(ask(p));
+  return std::ranges::any_of(p, huge) ? lab::trial::unsure : lab::trial::as_answer(ask(p));
 }
 
 }  // namespace

@@ -12,13 +12,13 @@ template <int Dimension, std::size_t N>
 double corners(const std::array<double, N>& q) {
   // Where products of differences overflow, its hulls in space may crash.
   const auto huge = [](double x) { return std::fabs(x) >= 0x1p510; };
-  if (Dimension == 3 && std::ranges::any_of(q, huge)) return tool::trial::unsure;
+  if (Dimension == 3 && std::ranges::any_of(q, huge)) return lab::trial::unsure;
   std::uint32_t found = 0;
   const bool done = with_qhull(Dimension, q.data(), N / Dimension, "qhull ", [&](const qhT& state) {
     for (const vertexT* v = state.vertex_list; v != nullptr && v->next != nullptr; v = v->next)
       found |= bit_of<Dimension>(q, v->point);
   });
-  return done ? found : tool::trial::unsure;
+  return done ? found : lab::trial::unsure;
 }
 
 }  // namespace

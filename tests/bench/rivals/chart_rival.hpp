@@ -17,10 +17,11 @@
 #include <vector>
 
 #include "lab/trial/float_methods.hpp"
+#include "lab/trial/tasks.hpp"
 
 namespace plumb::bench {
 
-using Rivals = std::vector<tool::trial::Rival>;
+using Rivals = std::vector<lab::trial::Rival>;
 
 void add_bullet(Rivals& all);
 void add_bullet_meshes(Rivals& all);
@@ -39,18 +40,18 @@ void add_qhull(Rivals& all);
 /// Joins a task whose questions have N numbers: `make` turns them into the library's shapes, `take` is measured.
 template <std::size_t N, class Make, class Take>
 void join(Rivals& all, const char* task, std::string name, std::string about, Make make, Take take) {
-  all.push_back({task, tool::trial::each_made<N>(std::move(name), std::move(about), make, take)});
+  all.push_back({task, lab::trial::each_made<N>(std::move(name), std::move(about), make, take)});
 }
 
 /// The same where the library takes plain numbers.
 template <std::size_t N, class Take>
 void join(Rivals& all, const char* task, std::string name, std::string about, Take take) {
-  all.push_back({task, tool::trial::each_of<double, N>(std::move(name), std::move(about), take)});
+  all.push_back({task, lab::trial::each_of<double, N>(std::move(name), std::move(about), take)});
 }
 
 /// A method of a library that asks for triangles that are not flat, of questions that name so many meshes: of classes
 /// with such triangles it is not asked.
-tool::trial::Method without_flat_triangles(tool::trial::Method method, std::size_t meshes);
+lab::trial::Method without_flat_triangles(lab::trial::Method method, std::size_t meshes);
 
 /// A point of a question as a bit; of equal ones the first stands for all.
 template <std::size_t Dimension, std::size_t N>

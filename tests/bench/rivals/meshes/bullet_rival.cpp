@@ -11,7 +11,7 @@
 namespace plumb::bench {
 namespace {
 
-using namespace tool::trial;
+using namespace lab::trial;
 
 class FirstHit final : public btTriangleRaycastCallback {
  public:

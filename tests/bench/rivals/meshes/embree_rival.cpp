@@ -13,7 +13,7 @@
 namespace plumb::bench {
 namespace {
 
-using namespace tool::trial;
+using namespace lab::trial;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 RTCDevice mesh_device() {

@@ -10,7 +10,7 @@
 namespace plumb::bench {
 namespace {
 
-using namespace tool::trial;
+using namespace lab::trial;
 using Model = fcl::BVHModel<fcl::OBBRSS<double>>;
 
 std::unique_ptr<Model> model_of(const TriangleMesh& mesh) {

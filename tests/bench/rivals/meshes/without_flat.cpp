@@ -6,7 +6,7 @@
 
 namespace plumb::bench {
 
-using namespace tool::trial;
+using namespace lab::trial;
 
 namespace {
 
