@@ -71,7 +71,7 @@ class BoxSearch {
     least_width_ = arcs_.front().width;
   }
 
-  // Of which `least` may be little where parts were left because they were too many.
+  // `least` of these may be little where parts were left because they were too many.
   SearchedBox run() {
     if (!(least_width_ > 0)) return {best_, 0};
     const std::size_t n = arcs_.size();
@@ -154,7 +154,7 @@ class BoxSearch {
     add({a.flush, a.number, {mid, a.s[1]}, {n, a.end[1]}}, depth + 1);
   }
 
-  // By all vertices in doubles, of a frame that may become the best.
+  // Looks at all vertices, in doubles, for a frame that may become the best.
   [[nodiscard]] double volume_of(const std::array<Vector3, 3>& normals) const {
     double volume = 1;
     for (const Vector3& n : normals) {

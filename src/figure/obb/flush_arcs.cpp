@@ -171,7 +171,7 @@ FlushArcs::FlushArcs(const HullModel& model, std::span<const Point3> given) {
   if (!scaled.exact) off = Interval::sum_up(off, tiniest);
   if (off > 0) vertex_error = Interval::up(std::ldexp(off, -grow), 1);
   if (lost) vertex_error = Interval::sum_up(vertex_error, tiniest);
-  // By what scaling and moving lost of both parts.
+  // Widens by what scaling and moving lost of both parts.
   const double scaling = scaled.exact ? 0 : Interval::up(std::ldexp(tiniest, -grow), 1);
   const double doubt = Interval::sum_up(scaling, lost ? 2 * tiniest : 0);
   for (Enclosed& p : places) {

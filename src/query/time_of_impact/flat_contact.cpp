@@ -120,7 +120,7 @@ bool any_pieces(const Translating<A>& a, const Translating<B>& b, const F& f) {
   return false;
 }
 
-/// Of what touches at the start: by the pieces that meet then, else by vertices inside.
+/// Tells the features of what touches at the start: those of the pieces that meet then, else vertices inside.
 template <class A, class B, class Named>
 std::optional<Contact> lowest_touching(const Translating<A>& a, const Translating<B>& b, const Named& named) {
   std::optional<Contact> lowest;

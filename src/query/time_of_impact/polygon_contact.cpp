@@ -198,7 +198,7 @@ void see_body(EarliestMeeting& earliest, std::string_view function, const PosedM
   }
 }
 
-/// Where an edge goes from one side of a plane to the other.
+/// Finds where an edge goes from one side of a plane to the other.
 std::optional<Exact3> crossing(const ChainEdge& edge, const SpannedChains& of, const Exact3& normal,
                                const mpq_class& offset) {
   const Exact3 &from = of.vertices[edge.from], &to = of.vertices[edge.to];
