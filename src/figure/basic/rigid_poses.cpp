@@ -1,7 +1,8 @@
 // All of them are chains, and a chain is made one link by its numbers; what is of the plane is of space as well.
 #include "plumb/figure/basic/rigid_poses.hpp"
 
-#include <cstdlib>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "figure/basic/finite_parts.hpp"
@@ -74,24 +75,34 @@ std::optional<Made<4>> quick_turn(const RigidChain& chain, bool asks_exact) {
   return made;
 }
 
-/// Of the multiple that is not beyond the doubles, nor below them.
+/// Of the multiple by the least power of two of which no part loses digits below the doubles, unless the largest would be
+/// beyond them.
 Made<4> turn_by_integers(const RigidChain& chain) {
   auto q = product_of<BigDyadic>(chain);
-  long most = std::numeric_limits<long>::min();  // the exponent of the largest part
+  long most = std::numeric_limits<long>::min(), least = std::numeric_limits<long>::max();  // exponents of bits
   for (const BigDyadic& x : q) {
     if (x.sign() == Sign::zero) continue;
     most = std::max(most, x.exponent() + static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2)));
+    least = std::min(least, x.exponent());
   }
-  constexpr long far = 500;
-  for (; std::labs(most) > far; most += most > 0 ? -far : far) {
-    for (BigDyadic& x : q) x = x * BigDyadic(std::ldexp(1.0, most > 0 ? -far : far));
+  constexpr long step = 1000;
+  long by = std::min(std::max(0L, std::numeric_limits<double>::min_exponent - 53 - least),
+                     std::numeric_limits<double>::max_exponent - most);
+  for (; by != 0; by -= std::clamp(by, -step, step)) {
+    const BigDyadic power(std::ldexp(1.0, static_cast<int>(std::clamp(by, -step, step))));
+    for (BigDyadic& x : q) x = x * power;
   }
-  Made<4> made{{}, true};
-  for (std::size_t i = 0; i < 4; ++i) {
-    made.numbers[i] = rounded(Rounding::nearest, q[i]);
-    made.exact = made.exact && (q[i] - BigDyadic(made.numbers[i])).sign() == Sign::zero;
+  for (;;) {
+    Made<4> made{{}, true};
+    for (std::size_t i = 0; i < 4; ++i) made.numbers[i] = rounded(Rounding::nearest, q[i]);
+    if (std::ranges::any_of(made.numbers, [](double x) { return x - x != 0; })) {  // rounded up, at most once
+      for (BigDyadic& x : q) x = x * BigDyadic(0.5);
+      continue;
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+      made.exact = made.exact && (q[i] - BigDyadic(made.numbers[i])).sign() == Sign::zero;
+    return made;
   }
-  return made;
 }
 
 /// The quotient of a number and the weight: the translation's, the columns'.
@@ -155,8 +166,8 @@ MadeMatrix matrix_of(View view, bool asks_exact, std::string_view function) {
   figure::require_sound(function, view);
   const auto [m, exact] = numbers_of<12>(
       figure::CertainPose(view),
-      [](const auto& n, std::size_t i) { return coordinate_at(i < 9 ? n.columns[i / 3] : n.translation, i % 3); }, asks_exact,
-      function);
+      [](const auto& n, std::size_t i) { return coordinate_at(i < 9 ? n.columns[i / 3] : n.translation, i % 3); },
+      asks_exact, function);
   return {{{{{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}}}, {m[9], m[10], m[11]}}, exact};
 }
 Pose2 in_plane(const Pose& p) {

@@ -23,7 +23,7 @@ __extension__ using Wide = __int128;
 /// How many, short by default: as many as PLUMB_ROTATIONS says.
 std::uint64_t how_many() {
   const char* asked = std::getenv("PLUMB_ROTATIONS");
-  return asked == nullptr ? 20'000 : std::strtoull(asked, nullptr, 10);
+  return asked == nullptr ? 200'000 : std::strtoull(asked, nullptr, 10);
 }
 
 Wide whole(double x) { return static_cast<Wide>(x * 0x1p50); }
