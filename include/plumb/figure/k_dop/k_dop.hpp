@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/arith/pose.hpp"
 #include "plumb/arith/rounding.hpp"
 #include "plumb/figure/basic/body.hpp"
 #include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/figure/basic/relation.hpp"
 
 namespace plumb {
@@ -66,7 +66,7 @@ KDop2 fit_k_dop(std::span<const Point2> points, const Directions2& directions);
 KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions);
 KDop3 fit_k_dop(std::span<const Point3> points, int k);
 /// Of the points under the pose: the tight refit of what has moved (RTCD 4.6.4).
-KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, const Pose& pose);
+KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, PoseView pose);
 
 /// The least k-DOP of both k-DOPs' intervals; one with an empty interval adds nothing.
 KDop2 merge(const KDop2& a, const KDop2& b);
@@ -74,8 +74,8 @@ KDop3 merge(const KDop3& a, const KDop3& b);
 
 /// Of the same directions around the exact image.  An empty k-DOP stays as it is; InvalidShape where the image is
 /// unbounded along a direction.
-KDop2 transform(const KDop2& k_dop, const Pose2& pose);
-KDop3 transform(const KDop3& k_dop, const Pose& pose);
+KDop2 transform(const KDop2& k_dop, PoseView2 pose);
+KDop3 transform(const KDop3& k_dop, PoseView pose);
 
 /// With every slack plane moved up to the set, which stays the same but for the rounding.  An empty set becomes that of
 /// all intervals [1, -1].

@@ -15,9 +15,9 @@
 #include <array>
 #include <span>
 
-#include "plumb/arith/pose.hpp"
 #include "plumb/arith/rounding.hpp"
 #include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/figure/basic/relation.hpp"
 
 namespace plumb {
@@ -49,8 +49,8 @@ Obb2 merge(const Obb2& a, const Obb2& b);
 Obb3 merge(const Obb3& a, const Obb3& b);
 
 /// Around the image of the box.  Its axes are the images of the box's, where these are doubles the image itself.
-Obb2 transform(const Obb2& box, const Pose2& pose);
-Obb3 transform(const Obb3& box, const Pose& pose);
+Obb2 transform(const Obb2& box, PoseView2 pose);
+Obb3 transform(const Obb3& box, PoseView pose);
 
 double volume(const Obb3& box);
 double surface_area(const Obb3& box);
