@@ -131,16 +131,15 @@ bool is_real_but_of_solids(const CoreCorners& c) { return c.polyhedron() != null
 
 /// Of a body that doubles may be asked of before it has been looked at: no polygon, and no radius under a pose.
 std::optional<CoreCorners> corners_at_once(const BodyView& v) {
-  if (!v.is_hull()) {
-    if (is_one_of(v.figure.kind, {FigureKind::quadrilateral, FigureKind::polygon})) return {};
-    const double radius = radius_of(v.figure);
+  if (!v.is_hull() && is_one_of(v.figure.kind, {FigureKind::quadrilateral, FigureKind::polygon})) return {};
+  if (const double radius = radius_of(v); radius != 0) {
     if (!(radius >= 0 && radius < Ball::infinity) || (radius > 0 && v.pose != nullptr)) return {};
   }
   auto corners = CoreCorners::of(v);
   if (corners && !is_real_but_of_solids(*corners)) return {};
   return corners;
 }
-double radius_at_once(const BodyView& v) { return v.is_hull() ? 0 : radius_of(v.figure); }
+double radius_at_once(const BodyView& v) { return radius_of(v); }
 
 /// Do these corners hold the origin?  Of four the faces are asked: what is strictly inside of them is found elsewhere.
 bool touches(const QuickHull& a, const QuickHull& b, const GjkSimplex& near) {
