@@ -112,7 +112,9 @@ TEST(OwnFigure, IsAskedWithEveryFigure) {
     const auto deep = penetration(cushion, Obb3{p, {by, {1, 0, 0}, {0, 1, 0}}, {0.25, 1, 1}}),
                of_capsule = penetration(capsule, Obb3{p, {by, {1, 0, 0}, {0, 1, 0}}, {0.25, 1, 1}});
     EXPECT_EQ(deep.has_value(), of_capsule.has_value()) << "replay: " << i;
-    if (deep) EXPECT_EQ(deep->depth, of_capsule->depth) << "replay: " << i;
+    if (deep) {
+      EXPECT_EQ(deep->depth, of_capsule->depth) << "replay: " << i;
+    }
     const Ray3 ray{p, by};
     EXPECT_EQ(first_hit(ray, cushion).has_value(), first_hit(ray, capsule).has_value()) << "replay: " << i;
     EXPECT_EQ(hits(ray, cushion), hits(ray, capsule)) << "replay: " << i;

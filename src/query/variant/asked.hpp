@@ -6,12 +6,19 @@
 // Cost: two jumps.  Each pair is an instantiation: a question has a file of its own.
 #pragma once
 
+#include <optional>
+
 #include "plumb/query/body/any_figure.hpp"
 #include "plumb/query/body/question_table.hpp"
 
 namespace plumb::query {
 
 inline bool is_posed_view(const PosedView& v) { return v.in_space != nullptr || v.in_plane != nullptr; }
+/// Of a triangle of space under a matrix, which has questions of its own.
+inline std::optional<Posed<Triangle3>> posed_triangle(const PosedView& v) {
+  if (v.figure.kind != FigureKind::triangle || v.in_space == nullptr) return {};
+  return Posed<Triangle3>{*static_cast<const Triangle3*>(v.figure.shape), *v.in_space};
+}
 
 inline void require_related(std::string_view question, const FigureView& a, const FigureView& b) {
   if (a.dimension != b.dimension || pair_method(a.kind, b.kind, a.dimension) == PairMethod::absent)

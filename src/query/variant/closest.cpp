@@ -12,17 +12,13 @@ Closest in_space(const Closest2& c) {
   return {{c.on_a.x, c.on_a.y, 0}, {c.on_b.x, c.on_b.y, 0}, c.distance, c.feature_a, c.feature_b};
 }
 
-bool is_triangle(const PosedView& v) { return v.figure.kind == FigureKind::triangle && v.in_space != nullptr; }
-bool is_point(const PosedView& v) { return v.figure.kind == FigureKind::point && !is_posed_view(v); }
-Posed<Triangle3> triangle_of(const PosedView& v) {
-  return {*static_cast<const Triangle3*>(v.figure.shape), *v.in_space};
-}
-
 Closest closest_of_posed(const PosedView& a, const PosedView& b) {
-  if (is_triangle(a) && is_triangle(b)) return posed_closest_points(triangle_of(a), triangle_of(b));
+  const auto triangle_a = posed_triangle(a), triangle_b = posed_triangle(b);
+  if (triangle_a && triangle_b) return posed_closest_points(*triangle_a, *triangle_b);
+  const auto is_point = [](const PosedView& v) { return v.figure.kind == FigureKind::point && !is_posed_view(v); };
   const auto point = [](const PosedView& v) { return *static_cast<const Point3*>(v.figure.shape); };
-  if (is_point(a) && is_triangle(b)) return posed_closest_points(point(a), triangle_of(b));
-  if (is_triangle(a) && is_point(b)) return swapped(posed_closest_points(point(b), triangle_of(a)));
+  if (is_point(a) && triangle_b) return posed_closest_points(point(a), *triangle_b);
+  if (triangle_a && is_point(b)) return swapped(posed_closest_points(point(b), *triangle_a));
   return posed_closest_points(a, b);
 }
 

@@ -24,10 +24,8 @@ AnyRay ray_of(const FigureView& v) {
 std::optional<Hit> any_first_hit(const PosedView& ray, const PosedView& figure) {
   require_answer(hit_pairs, "first_hit", ray.figure, figure.figure);
   if (is_posed_view(ray) || is_posed_view(figure)) {
-    if (figure.figure.kind == FigureKind::triangle && figure.in_space != nullptr && !is_posed_view(ray)) {
-      const Posed<Triangle3> triangle{*static_cast<const Triangle3*>(figure.figure.shape), *figure.in_space};
-      return posed_first_hit(ray_of(ray.figure), triangle, HitRule::closed);
-    }
+    const auto triangle = posed_triangle(figure);
+    if (triangle && !is_posed_view(ray)) return posed_first_hit(ray_of(ray.figure), *triangle, HitRule::closed);
     return posed_first_hit(ray, figure);
   }
   return asked_by_types<std::optional<Hit>>(
