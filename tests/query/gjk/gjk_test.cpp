@@ -73,8 +73,9 @@ void expect_any_pair(const BodyView& a, const BodyView& b, const GjkAnswer& any,
   }
   const auto expect_in = [&](const Point3& p, const BodyView& body) {
     const double size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    if (std::isfinite(size))
+    if (std::isfinite(size)) {
       EXPECT_LE(query::gjk_apart_by(query::body_view(p), body, {}), size * 0x1p-52 + 0x1p-1073) << about;
+    }
   };
   expect_in(any.closest.on_a, a), expect_in(any.closest.on_b, b);
 }
