@@ -189,7 +189,7 @@ TEST(Gjk, NamesFeaturesOfHulls) {
   const std::vector<Point3> cube{{1, 1, 1}, {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0},
                                  {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {2, 2, 2}};
   const VertexHull3 hull{cube};
-  const auto feature = [&](const Point3& p) { return gjk(hull, p).closest.feature_a; };
+  const auto feature = [&](const Point3& p) { return gjk(hull, p, {.pair = WhichPair::first}).closest.feature_a; };
   EXPECT_EQ(feature({3, 3, 3}), (Feature{FeatureKind::vertex, 7}));
   EXPECT_EQ(feature({3, 3, 1}), (Feature{FeatureKind::edge, 3}));
   EXPECT_EQ(feature({1, 1, 3}), (Feature{FeatureKind::face, 5}));
