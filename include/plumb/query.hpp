@@ -70,6 +70,7 @@
 #include "plumb/query/closest/closest.hpp"         // a point and any shape
 #include "plumb/query/closest/pairs.hpp"           // lines, rays, segments, triangles
 #include "plumb/query/closest/result.hpp"          // points, features, distance
+#include "plumb/query/closest/which_pair.hpp"      // any of several pairs, or the first
 #include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
 #include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses, the number
 #include "plumb/query/separation/convex_body.hpp"  // what convexity is asked of: hulls of corners, and a radius
