@@ -52,7 +52,7 @@ std::vector<Exact3> corners_about(const BodyView& view, const CoreCorners& corne
                                   const Exact3& x) {
   if (corners.polyhedron() == nullptr) return all;
   std::optional<ExactMap> map;
-  if (view.pose != nullptr) map = exact_map(*view.pose);
+  if (!view.pose.stands()) map = exact_map(view.pose);
   if (map && is_singular(*map)) return all;
   const Feature f = feature_at(view.figure, x, false, map ? &*map : nullptr);
   std::vector<std::uint32_t> near = vertices_of(corners.polyhedron()->mesh, f);

@@ -5,8 +5,8 @@
 //
 // Laws: (1) the corners of a body are numbered as figure/containment/voronoi_region.hpp numbers vertices: those of a box by
 // bits, x, y, z, or the axis, where set the greater one; of a lozenge likewise by its edges; else in the order of the members.
-// (2) A pose is exact, whatever its matrix; what is round keeps its radius under one whose columns are at right angles and of
-// one rational length.
+// (2) A pose is exact, whatever its matrix; what is round keeps its radius under a RigidPose or a RigidChain, and is as many
+// times as large under a Pose whose columns are at right angles and of one rational length.
 // Source: RTCD 9.1, 4.5.
 // Cost: none; a view refers to the figure.
 #pragma once
@@ -28,7 +28,7 @@ namespace query {
 struct BodyView {
   FigureView figure{FigureKind::convex_polyhedron, 3, nullptr};
   std::span<const Point3> vertices{};
-  const Pose* pose = nullptr;
+  PoseView pose{};
 
   [[nodiscard]] bool is_hull() const { return figure.shape == nullptr; }
 };
@@ -63,12 +63,12 @@ BodyView body_view(const Shape& s) {
 
 }  // namespace query
 
-/// A convex body of space, as it stands or under a Pose.
+/// A convex body of space, as it stands or under a pose.
 template <class Shape>
-concept ConvexBody3 = (query::is_vertex_hull<query::UnposedType<Shape>> ||
-                       query::is_body_figure<query::UnposedType<Shape>>)&&(!query::is_posed<Shape> ||
-                                                                           requires(const Shape& s, const Pose*& p) {
-                                                                             p = &s.pose;
-                                                                           });
+concept ConvexBody3 =
+    (query::is_vertex_hull<query::UnposedType<Shape>> ||
+     query::is_body_figure<query::UnposedType<Shape>>)&&(!query::is_posed<Shape> || requires(const Shape& s) {
+      requires PoseOfSpace<std::remove_cvref_t<decltype(s.pose)>>;
+    });
 
 }  // namespace plumb
