@@ -10,7 +10,7 @@ bool QuickHull::set(const BodyView& body) {
   if (!take_pose(body.pose)) return false;
   if (body.is_hull()) {
     at_ = body.vertices.data(), size_ = static_cast<std::uint32_t>(body.vertices.size());
-    return size_ > 0;
+    return size_ > 0 && body.radius == 0;
   }
   if (body.figure.kind != FigureKind::convex_polyhedron) return set_few(body.figure);
   solid_ = static_cast<const ConvexPolyhedron3*>(body.figure.shape);
@@ -19,10 +19,10 @@ bool QuickHull::set(const BodyView& body) {
 }
 
 bool QuickHull::set(const CoreCorners& core) {
-  if (const auto points = core.points(); !points.empty()) {
+  if (const auto points = core.points(); !points.empty() && !core.has_scale()) {
     at_ = points.data(), size_ = static_cast<std::uint32_t>(points.size());
     solid_ = core.polyhedron();
-    return !core.has_scale() && take_pose(core.pose());
+    return take_pose(core.pose());
   }
   if (core.size() > few_.size()) return false;
   for (std::size_t i = 0; i < core.size(); ++i) {
