@@ -156,8 +156,8 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) { (void)penetration_along(c.p, c.q, vector(c.a[0])); }},
     {"penetration of cones", "query/penetration/penetration_bounds.hpp", linear, 100,
      [](const Cloud& c) { (void)penetration(cone(c.a), cone(c.b)); }},
-    {"contact_manifold", "query/gjk/contact_manifold.hpp", quadratic, 5000,
-     [](const Cloud& c) { (void)contact_manifold(c.p, c.q); }, 18, 1},
+    {"contact", "query/contact/contact.hpp", quadratic_log, 200,
+     [](const Cloud& c) { (void)contact(c.p, c.q, {.margin = 100}); }},
     {"maximize, plane", "query/lp/linear_program.hpp", linear, 1,
      [](const Cloud& c) {
        (void)maximize(Vector2{c.b[0].x, c.b[0].y}, halfplanes(c.a));
