@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "arith/double_double.hpp"
 #include "arith/twofold.hpp"
 #include "certify/fused.hpp"
 #include "query/body/vectors.hpp"
@@ -122,7 +123,7 @@ class Search {
     DifferenceCorners corners;
     for (std::uint32_t i = 0; i < simplex.size(); ++i) corners.add(simplex[i].ends);
     std::optional<QuickNearest> found = proved(a_, b_, corners);
-    if (!found) found = certainly_proved(a_, b_, corners);
+    if (!found && (found = certainly_proved(a_, b_, corners), !found)) found = finely_nearest(a_, b_, corners);
     if (found) found->way = n, found->steps = static_cast<std::uint32_t>(rounds);
     return found;
   }
@@ -139,8 +140,92 @@ class Search {
     if (are_around_origin(a_, b_, corners))
       return QuickNearest{{all, true, false, {}, {}}, {}, {}, {0, 0, 0}, static_cast<std::uint32_t>(rounds)};
     auto found = certainly_proved(a_, b_, all);
+    if (!found) found = finely_nearest(a_, b_, all);
     if (found) found->steps = static_cast<std::uint32_t>(rounds);
     return found;
+  }
+
+  const QuickHull &a_, &b_;
+  GjkCorner last_{};
+};
+
+QuickNearest told(NearestQuestion& ask, const Nearness& n) {
+  ProvedCorners& p = ask.found.proved;
+  p.meets = n.meets, p.a.level = n.is_level[0] ? 1 : 0, p.b.level = n.is_level[1] ? 1 : 0;
+  return ask.told();
+}
+
+/// Of the bits of a mask those whose places among them `which` names.
+unsigned part_of(unsigned mask, unsigned which) {
+  unsigned part = 0;
+  for (unsigned place = 0; mask != 0; mask &= mask - 1, ++place) {
+    if ((which >> place & 1) != 0) part |= mask & (~mask + 1);
+  }
+  return part;
+}
+
+/// Of what all but touches the nearest point is too near for doubles to tell its direction: the same search in
+/// double-doubles.
+class FineSearch {
+ public:
+  FineSearch(const QuickHull& a, const QuickHull& b) : a_(a), b_(b) {}
+
+  std::optional<QuickNearest> run(const DifferenceCorners& from) {
+    constexpr int most_rounds = 16;  // a guess: whoever has not ended by then goes round
+    last_ = from.ends[0];
+    FineDirected simplex(corner());
+    bool is_around = false;
+    for (std::size_t i = 1; i < from.size && !is_around; ++i) {
+      last_ = from.ends[i];
+      if (!simplex.has(last_)) is_around = simplex.add(corner());
+    }
+    for (int round = 0; round < most_rounds && !is_around; ++round) {
+      const FineVec n = simplex.direction();
+      last_ = {least(a_, n, last_[0], 1), least(b_, n, last_[1], -1)};
+      const FineCorner c = corner();
+      if (simplex.has(last_) || !(dot(c.at, n) < dot(simplex[0].at, n))) break;
+      is_around = simplex.add(c);
+    }
+    DifferenceCorners corners;
+    for (std::uint32_t i = 0; i < simplex.size(); ++i) corners.add(simplex[i].ends);
+    auto found = certainly_proved(a_, b_, corners);
+    const FineVec n = simplex.direction();
+    if (found) found->way = {n.x.high, n.y.high, n.z.high};
+    return found;
+  }
+
+ private:
+  using Fine = arith::DoubleDouble;
+  using FineVec = arith::Vec<Fine>;
+  using FineCorner = gjk_search::CornerOf<Fine>;
+  using FineDirected = gjk_search::DirectedOf<Fine>;
+
+  [[nodiscard]] FineCorner corner() const {
+    return {last_, arith::vec<Fine>(a_.given(last_[0])) - arith::vec<Fine>(b_.given(last_[1]))};
+  }
+  /// The least along `side` times n, from what doubles take for it.
+  static std::uint32_t least(const QuickHull& h, const FineVec& n, std::uint32_t near, double side) {
+    const Plain back{-side * n.x.high, -side * n.y.high, -side * n.z.high};
+    std::uint32_t best = h.farthest(back, near);
+    const auto is_less = [&](std::uint32_t i) {
+      const FineVec way = arith::vec<Fine>(h.given(i)) - arith::vec<Fine>(h.given(best));
+      return (dot(way, n) * Fine(side)).high < 0;
+    };
+    if (h.solid() == nullptr) {
+      for (std::uint32_t i = 0; i < h.size(); ++i) {
+        if (i != best && is_less(i)) best = i;
+      }
+      return best;
+    }
+    constexpr int most_steps = 64;  // a guess: roundings may go round
+    bool better = true;
+    for (int step = 0; better && step < most_steps; ++step) {
+      better = false;
+      for (const std::uint32_t i : h.solid()->neighbors_of(best)) {
+        if (is_less(i)) best = i, better = true;
+      }
+    }
+    return best;
   }
 
   const QuickHull &a_, &b_;
@@ -298,20 +383,31 @@ std::optional<QuickNearest> certainly_proved(const QuickHull& a, const QuickHull
   if (corners.size == 4 && certainly(gjk_origin::IsAroundOrigin{}, pairs_of(a, b, corners)))
     return QuickNearest{{corners, true, false, {}, {}}, {}, {}, {0, 0, 0}, 1};
   const unsigned end = 1U << corners.size;
+  unsigned known = 0;  // those that others were asked of
   for (int size = static_cast<int>(std::min<std::size_t>(corners.size, 3)); size > 0; --size) {
     for (unsigned mask = 1; mask < end; ++mask) {
-      if (std::popcount(mask) != size) continue;
-      NearestQuestion ask(a, b, corners.part(mask));
-      const Nearness n = ask.asked<Certainly>();
-      if (!n.is_so) continue;
-      ProvedCorners& p = ask.found.proved;
-      p.meets = n.meets, p.a.level = n.is_level[0] ? 1 : 0, p.b.level = n.is_level[1] ? 1 : 0;
-      QuickNearest r = ask.told();
-      r.is_parted = n.is_parted;
-      return r;
+      if (std::popcount(mask) != size || (known >> mask & 1) != 0) continue;
+      for (unsigned needed = mask; needed != 0;) {  // ends, for they are fewer each time
+        NearestQuestion ask(a, b, corners.part(needed));
+        const Nearness n = ask.asked<Certainly>();
+        known |= 1U << needed;
+        if (n.is_so) return told(ask, n);
+        needed = std::popcount(n.positive) < std::popcount(needed) ? part_of(needed, n.positive) : 0;
+      }
     }
   }
   return {};
+}
+
+bool are_parted(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
+  if (corners.size != 3) return false;
+  const NearestQuestion ask(a, b, corners);
+  return certainly(gjk_origin::AreParted{}, ask.pairs, ask.a, ask.b);
+}
+
+std::optional<QuickNearest> finely_nearest(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
+  if (corners.size == 0 || !a.is_finite() || !b.is_finite()) return {};
+  return FineSearch(a, b).run(corners);
 }
 
 std::optional<QuickNearest> quickly_nearest(const QuickHull& a, const QuickHull& b, const GjkCache* cache) {

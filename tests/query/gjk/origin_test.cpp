@@ -99,7 +99,9 @@ TEST(GjkOrigin, EachWorldTellsWhatIsSo) {
       if (info.family == Family::extreme) continue;  // distances that round to zero
       // The middle of an edge, where it is a double, is held by it.
       const Point3 middle{std::midpoint(c[0].x, c[1].x), std::midpoint(c[0].y, c[1].y), std::midpoint(c[0].z, c[1].z)};
-      for (const Point3& at : {o, middle}) {
+      const Point3 inner{std::midpoint(middle.x, c[2].x), std::midpoint(middle.y, c[2].y),
+                         std::midpoint(middle.z, c[2].z)};
+      for (const Point3& at : {o, middle, inner}) {
         const Pairs from{{c[0], c[1], c[2], c[3]}, {at, at, at, at}};
         const bool on_edge = distance(Segment3{c[0], c[1]}, at) == 0;
         const bool within_edge = on_edge && at != c[0] && at != c[1];
