@@ -149,7 +149,7 @@ class Search {
   GjkCorner last_{};
 };
 
-QuickNearest told(NearestQuestion& ask, const Nearness& n) {
+QuickNearest answered(NearestQuestion& ask, const Nearness& n) {
   ProvedCorners& p = ask.found.proved;
   p.meets = n.meets, p.a.level = n.is_level[0] ? 1 : 0, p.b.level = n.is_level[1] ? 1 : 0;
   return ask.told();
@@ -391,7 +391,7 @@ std::optional<QuickNearest> certainly_proved(const QuickHull& a, const QuickHull
         NearestQuestion ask(a, b, corners.part(needed));
         const Nearness n = ask.asked<Certainly>();
         known |= 1U << needed;
-        if (n.is_so) return told(ask, n);
+        if (n.is_so) return answered(ask, n);
         needed = std::popcount(n.positive) < std::popcount(needed) ? part_of(needed, n.positive) : 0;
       }
     }
