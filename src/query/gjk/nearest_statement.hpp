@@ -43,9 +43,9 @@ struct Asked {
 
 /// What these corners of the difference are to the origin, and what else lies in the planes through the nearest points.
 struct Nearness {
-  bool is_so = false;              // each of them is needed, and nothing is nearer
-  bool meets = false;              // they hold the origin, strictly within their hull
-  unsigned positive = 0;           // where not all are needed, and no weight is below zero: of which it is above
+  bool is_so = false;     // the nearest point of their plane is within their hull, and nothing is nearer
+  bool meets = false;     // it is the origin
+  unsigned positive = 0;  // the corners that it needs; where it is not the origin and not all are needed, not so
   std::array<bool, 2> is_level{};  // of a, of b: there are others in the planes
 };
 
@@ -86,7 +86,7 @@ struct AreNearest {
     const V d = corner(0);
     if constexpr (count == 1) {
       if constexpr (!is_strict) {
-        if (is_zero(d)) return {true, true};
+        if (is_zero(d)) return {true, true, 1};
       }
       return beside(w, d, true, a, b);
     } else {
@@ -96,13 +96,12 @@ struct AreNearest {
         const auto rest = product(u, u) + along;
         if constexpr (is_strict) {
           if (!is_negative(along) || !is_positive(rest)) return {};
-        } else {
-          const Nearness weights = needed(std::array{w.sign(rest), -w.sign(along)});
-          if (!weights.is_so) return weights;
         }
         const auto turn = crossed(d, u);
         if constexpr (!is_strict) {
-          if (is_zero(turn)) return {true, true};
+          const Nearness weights = needed(std::array{w.sign(rest), -w.sign(along)});
+          if (weights.positive != 0 && is_zero(turn)) return {true, true, weights.positive};
+          if (!weights.is_so) return weights;
         }
         return beside(w, crossed(u, turn), true, a, b);
       } else {
@@ -114,11 +113,13 @@ struct AreNearest {
           if (!is_negative(second) || !is_negative(third) || !is_positive(rest)) return {};
         } else {
           const Nearness weights = needed(std::array{w.sign(rest), -w.sign(second), -w.sign(third)});
-          if (!weights.is_so) return weights;
+          if (weights.positive == 0) return {};
+          const Sign side = w.sign(product(normal, d));
+          if (side == Sign::zero) return {true, true, weights.positive};
+          return weights.is_so ? beside(w, normal, side == Sign::positive, a, b) : weights;
         }
         const Sign side = w.sign(product(normal, d));
-        if (side != Sign::zero) return beside(w, normal, side == Sign::positive, a, b);
-        return is_strict ? Nearness{} : Nearness{true, true};
+        return side != Sign::zero ? beside(w, normal, side == Sign::positive, a, b) : Nearness{};
       }
     }
   }

@@ -90,7 +90,9 @@ struct InDoubles {
 template <int count>
 struct Certainly {
   Nearness operator()(const Pairs& pairs, const Asked& a, const Asked& b) const {
-    return certainly(AreNearest<count, false>{}, pairs, a, b);
+    using Statement = AreNearest<count, false>;  // doubles tell nothing of what touches
+    return certify::one_lane::ask_worlds<PairWorld<Statement>, IntegerWorld, RationalWorld>(NoWorldRecorder{},
+                                                                                            Statement{}, pairs, a, b);
   }
 };
 
@@ -151,8 +153,12 @@ class Search {
 
 QuickNearest answered(NearestQuestion& ask, const Nearness& n) {
   ProvedCorners& p = ask.found.proved;
-  p.meets = n.meets, p.a.level = n.is_level[0] ? 1 : 0, p.b.level = n.is_level[1] ? 1 : 0;
+  p.a.level = n.is_level[0] ? 1 : 0, p.b.level = n.is_level[1] ? 1 : 0;
   return ask.told();
+}
+
+QuickNearest held_by(const DifferenceCorners& corners) {
+  return {{corners, true, false, {}, {}}, {}, {}, {0, 0, 0}, 1};
 }
 
 /// Of the bits of a mask those whose places among them `which` names.
@@ -172,19 +178,21 @@ class FineSearch {
 
   std::optional<QuickNearest> run(const DifferenceCorners& from) {
     constexpr int most_rounds = 16;  // a guess: whoever has not ended by then goes round
-    last_ = from.ends[0];
-    FineDirected simplex(corner());
+    std::array<FineCorner, 4> known;
+    for (std::size_t i = 0; i < from.size; ++i) known[i] = corner(from.ends[i]);
+    FineDirected simplex(known[0]);
     bool is_around = false;
-    for (std::size_t i = 1; i < from.size && !is_around; ++i) {
-      last_ = from.ends[i];
-      if (!simplex.has(last_)) is_around = simplex.add(corner());
-    }
     for (int round = 0; round < most_rounds && !is_around; ++round) {
       const FineVec n = simplex.direction();
-      last_ = {least(a_, n, last_[0], 1), least(b_, n, last_[1], -1)};
-      const FineCorner c = corner();
-      if (simplex.has(last_) || !(dot(c.at, n) < dot(simplex[0].at, n))) break;
-      is_around = simplex.add(c);
+      const auto is_before = [&](const FineCorner& p, const FineCorner& q) { return dot(p.at, n) < dot(q.at, n); };
+      FineCorner next =
+          *std::min_element(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(from.size), is_before);
+      if (simplex.has(next.ends) || !(dot(next.at, n) < dot(simplex[0].at, n))) {
+        const GjkCorner& last = simplex[0].ends;
+        next = corner({least(a_, n, last[0], 1), least(b_, n, last[1], -1)});
+        if (simplex.has(next.ends) || !(dot(next.at, n) < dot(simplex[0].at, n))) break;
+      }
+      is_around = simplex.add(next);
     }
     DifferenceCorners corners;
     for (std::uint32_t i = 0; i < simplex.size(); ++i) corners.add(simplex[i].ends);
@@ -200,8 +208,8 @@ class FineSearch {
   using FineCorner = gjk_search::CornerOf<Fine>;
   using FineDirected = gjk_search::DirectedOf<Fine>;
 
-  [[nodiscard]] FineCorner corner() const {
-    return {last_, arith::vec<Fine>(a_.given(last_[0])) - arith::vec<Fine>(b_.given(last_[1]))};
+  [[nodiscard]] FineCorner corner(const GjkCorner& ends) const {
+    return {ends, arith::vec<Fine>(a_.given(ends[0])) - arith::vec<Fine>(b_.given(ends[1]))};
   }
   /// The least along `side` times n, from what doubles take for it.
   static std::uint32_t least(const QuickHull& h, const FineVec& n, std::uint32_t near, double side) {
@@ -229,7 +237,6 @@ class FineSearch {
   }
 
   const QuickHull &a_, &b_;
-  GjkCorner last_{};
 };
 
 template <class T>
@@ -380,8 +387,7 @@ PLUMB_WITHOUT std::optional<Closest> points_plain(const Pairs& p, std::size_t si
 
 std::optional<QuickNearest> certainly_proved(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
   if (!a.is_finite() || !b.is_finite()) return {};
-  if (corners.size == 4 && certainly(gjk_origin::IsAroundOrigin{}, pairs_of(a, b, corners)))
-    return QuickNearest{{corners, true, false, {}, {}}, {}, {}, {0, 0, 0}, 1};
+  if (corners.size == 4 && certainly(gjk_origin::IsAroundOrigin{}, pairs_of(a, b, corners))) return held_by(corners);
   const unsigned end = 1U << corners.size;
   unsigned known = 0;  // those that others were asked of
   for (int size = static_cast<int>(std::min<std::size_t>(corners.size, 3)); size > 0; --size) {
@@ -391,6 +397,7 @@ std::optional<QuickNearest> certainly_proved(const QuickHull& a, const QuickHull
         NearestQuestion ask(a, b, corners.part(needed));
         const Nearness n = ask.asked<Certainly>();
         known |= 1U << needed;
+        if (n.meets) return held_by(corners.part(part_of(needed, n.positive)));
         if (n.is_so) return answered(ask, n);
         needed = std::popcount(n.positive) < std::popcount(needed) ? part_of(needed, n.positive) : 0;
       }
