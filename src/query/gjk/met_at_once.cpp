@@ -5,7 +5,7 @@
 
 #include "arith/certain.hpp"
 #include "arith/running_error.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/search.hpp"
 #include "query/gjk/quick_nearest.hpp"
 

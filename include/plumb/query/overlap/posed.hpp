@@ -10,7 +10,7 @@
 // singular matrix makes the flat figure that it makes: its interior is that of its own affine hull.
 // Two balls are answered under any poses that are not singular, two other round figures (capsules, lozenges) where one
 // pose is a similarity as seen from the other (its columns at right angles and of one length, exactly), or where one maps
-// all to a point; a ball and a cylinder, cone or cap likewise.  What is round and flattened by its pose is not asked of
+// all to a point; a ball and a cylinder, cone or cap likewise.  Rigid poses leave round what is: every pair has an answer.  What is round and flattened by its pose is not asked of
 // polygons, a cylinder, cone or cap flattened so not of balls: UnevenPose.
 // contains takes a point, and every pair of figures that it takes without poses.  A round figure in a round one is
 // answered where one pose is a similarity as seen from the other, in a flat one under any pose.
