@@ -76,7 +76,7 @@ class Pair {
   /// How far the cores are apart along the normal, times its length.
   template <class T>
   [[nodiscard]] T height(const Vec<T>& normal) const {
-    return T(0.0) - dot(normal, difference().at<T>(aim_->at));
+    return T(0.0) - sparse_dot(normal, difference().at<T>(aim_->at));
   }
   [[nodiscard]] Seen seen(std::size_t i) const {
     return {views_[i],
@@ -175,7 +175,7 @@ class QuickNumbers {
   explicit QuickNumbers(const Pair& p)
       : pair_(p),
         normal_(p.normal<Ball>()),
-        length_(root(dot(normal_, normal_))),
+        length_(root(sparse_dot(normal_, normal_))),
         share_(quotient(Ball(1), length_)),
         radii_(Ball(p.radii().given(0)) + Ball(p.radii().given(1))),
         limit_(radii_ + Ball(p.margin())) {}

@@ -2,8 +2,12 @@
 
 #include <cmath>
 
+#include "arith/sparse_vec.hpp"
+
 namespace plumb::query::parting {
 namespace {
+
+using arith::sparse_cross, arith::sparse_dot, arith::sparse_product;
 
 template <class T>
 T size_of(const T& x) {
@@ -21,12 +25,12 @@ struct Axis {
   T square, middle, overlap;
 
   Axis(const SumParts<T>& parts, std::size_t groups, std::uint32_t p, std::uint32_t q)
-      : normal(cross(parts.group[p], parts.group[q])),
-        square(dot(normal, normal)),
-        middle(dot(normal, parts.middle)),
+      : normal(sparse_cross(parts.group[p], parts.group[q])),
+        square(sparse_dot(normal, normal)),
+        middle(sparse_dot(normal, parts.middle)),
         overlap(T(0.0) - size_of(middle)) {
     for (std::uint32_t g = 0; g < groups; ++g) {
-      if (g != p && g != q) overlap = overlap + size_of(dot(normal, parts.group[g]));
+      if (g != p && g != q) overlap = overlap + size_of(sparse_dot(normal, parts.group[g]));
     }
   }
 };
@@ -47,7 +51,7 @@ Guess guessed(const EdgeSum& sum, const SumParts<double>& parts) {
       for (std::uint32_t j = i + 1; j < size; ++j) {
         if (is_of_one(i, j) != faces) continue;
         const Axis<double> a(parts, size, i, j);
-        const double lengths = dot(parts.group[i], parts.group[i]) * dot(parts.group[j], parts.group[j]);
+        const double lengths = sparse_dot(parts.group[i], parts.group[i]) * sparse_dot(parts.group[j], parts.group[j]);
         if (!(a.square > nearly * lengths)) continue;
         const double overlap = a.overlap / std::sqrt(a.square);
         if (overlap < least - nearly * std::fabs(least)) least = overlap, best = {i, j};
@@ -74,21 +78,46 @@ class Prover {
   std::optional<SumParts<Ball>> fine_;
 };
 
-/// Is another axis farther out, for certain?
+/// How far out is another axis than this one?  Positive: farther; nothing where it is not certain.
 template <class T>
-bool is_farther(const Axis<T>& other, const Axis<T>& least) {
-  return certain_sign(other.overlap) > 0 &&
-         certain_sign(other.overlap * other.overlap * least.square - least.overlap * least.overlap * other.square) > 0;
+std::optional<Sign> order_of(const Axis<T>& other, const Axis<T>& least) {
+  const Unsure<Sign> overlap = other.overlap.sign();
+  if (!overlap.certain()) return {};
+  if (overlap.value() == Sign::negative) return Sign::negative;
+  const Unsure<Sign> order = (sparse_product(sparse_product(other.overlap, other.overlap), least.square) -
+                              sparse_product(sparse_product(least.overlap, least.overlap), other.square))
+                                 .sign();
+  if (!order.certain()) return {};
+  return order.value();
 }
+
+/// The facet that the axis of the guess leads to, or a guess that is nearer for certain; nothing where doubles do not
+/// tell.
+struct Tried {
+  std::optional<SumParting> told;
+  std::optional<Guess> nearer;
+};
+Tried tried(const EdgeSum& sum, Prover& prover, const Guess& g);
 
 }  // namespace
 
 std::optional<SumParting> quick_axis(const EdgeSum& sum) {
-  const auto size = static_cast<std::uint32_t>(sum.groups());
-  if (size < 3) return {};
-  const Difference& d = sum.difference();
-  const Guess g = guessed(sum, sum.parts<double>());
+  if (sum.groups() < 3) return {};
   Prover prover(sum);
+  std::optional<Guess> guess = guessed(sum, sum.parts<double>());
+  while (guess) {  // ends, for each is nearer than the one before
+    const Tried t = tried(sum, prover, *guess);
+    if (t.told) return t.told;
+    guess = t.nearer;
+  }
+  return {};
+}
+
+namespace {
+
+Tried tried(const EdgeSum& sum, Prover& prover, const Guess& g) {
+  const auto size = static_cast<std::uint32_t>(sum.groups());
+  const Difference& d = sum.difference();
   const Axis<Running> rough(prover.rough(), size, g.i, g.j);
   std::optional<Axis<Ball>> fine;
   const auto of_fine = [&]() -> const Axis<Ball>& {
@@ -107,7 +136,7 @@ std::optional<SumParting> quick_axis(const EdgeSum& sum) {
   bool has_reach = false;
   for (std::uint32_t k = 0; k < size; ++k) {
     if (k == g.i || k == g.j) continue;
-    const auto s = sign([&](const auto& a, const auto& parts) { return dot(a.normal, parts.group[k]); });
+    const auto s = sign([&](const auto& a, const auto& parts) { return sparse_dot(a.normal, parts.group[k]); });
     if (!s) return {};
     along[k] = *s, has_reach = has_reach || *s != Sign::zero;
   }
@@ -116,14 +145,16 @@ std::optional<SumParting> quick_axis(const EdgeSum& sum) {
   for (std::uint32_t p = 0; p < size && !are_apart; ++p) {
     for (std::uint32_t q = p + 1; q < size; ++q) {
       if (along[p] == Sign::zero && along[q] == Sign::zero) continue;  // parallel to the guess, or to one another
-      if (is_farther(Axis<Running>(prover.rough(), size, p, q), rough)) continue;
-      if (!is_farther(Axis<Ball>(prover.fine(), size, p, q), of_fine())) return {};
+      auto order = order_of(Axis<Running>(prover.rough(), size, p, q), rough);
+      if (!order) order = order_of(Axis<Ball>(prover.fine(), size, p, q), of_fine());
+      if (order == Sign::negative) return {{}, Guess{p, q}};
+      if (order != Sign::positive) return {};
     }
   }
   const auto is_plain = [&](const CoreCorners& c) {
     if (c.edges() != 3) return false;
     const Vec<Running> u = c.edge<Running>(0), v = c.edge<Running>(1), w = c.edge<Running>(2);
-    return certain_sign(dot(cross(u, v), w)) != 0;
+    return certain_sign(sparse_dot(sparse_cross(u, v), w)) != 0;
   };
   SumParting told{
       are_apart ? SumParting::Known::apart : SumParting::Known::parting, {}, {}, {is_plain(d.a), is_plain(d.b)}, {}};
@@ -138,8 +169,10 @@ std::optional<SumParting> quick_axis(const EdgeSum& sum) {
   const bool up = *middle == Sign::positive;
   told.parting = Parting{u && v ? Way::across(up ? *u : *v, up ? *v : *u, facet.points[0]) : Way::through(facet.points),
                          are_apart, true};
-  return told;
+  return {told, {}};
 }
+
+}  // namespace
 
 std::optional<SumParting> plane_between(const Difference& d) {
   const auto quick = quick_axis(EdgeSum(d));
