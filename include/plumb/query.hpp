@@ -16,6 +16,12 @@
 #include "plumb/query/body/posed.hpp"       // a figure as it stands or under a pose
 #include "plumb/query/body/restated.hpp"    // slabs and boxes as the figures of the tables that they are
 
+// Of which kind, where that is known at run time alone?
+#include "plumb/query/body/any_figure.hpp"     // AnyFigure: a shape of any kind as a value
+#include "plumb/query/body/rounded_hull.hpp"   // a figure of your own: the hull of its places, and a radius
+#include "plumb/query/variant/own_figure.hpp"  // every question takes one of these
+#include "plumb/query/variant/questions.hpp"   // every question takes one
+
 // Which pairs?
 #include "plumb/query/body/closest_pairs.hpp"       // of closest_points and distance
 #include "plumb/query/body/contact_pairs.hpp"       // of first_contact
@@ -64,6 +70,7 @@
 #include "plumb/query/closest/closest.hpp"         // a point and any shape
 #include "plumb/query/closest/pairs.hpp"           // lines, rays, segments, triangles
 #include "plumb/query/closest/result.hpp"          // points, features, distance
+#include "plumb/query/closest/which_pair.hpp"      // any of several pairs, or the first
 #include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
 #include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses, the number
 #include "plumb/query/separation/convex_body.hpp"  // what convexity is asked of: hulls of corners, and a radius

@@ -23,7 +23,7 @@ class Radii {
   Radii(std::string_view function, const BodyView& a, const BodyView& b) {
     if (has_radius(a)) given_[0] = radius_of(a.figure);
     if (has_radius(b)) given_[1] = radius_of(b.figure);
-    if ((given_[0] == 0 || a.pose == nullptr) && (given_[1] == 0 || b.pose == nullptr)) return;
+    if ((given_[0] == 0 || a.pose.stands()) && (given_[1] == 0 || b.pose.stands())) return;
     const std::array<Body, 2> bodies = bodies_of(function, a, b);
     posed_ = {bodies[0].radius, bodies[1].radius};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -251,24 +251,26 @@ class ExactNumbers3 {
       : pair_(p),
         normal_(p.normal<BigDyadic>()),
         square_(dot(normal_, normal_)),
+        scale_(p.difference().a.scale<BigDyadic>()),
         radii_{p.radii().exact(0), p.radii().exact(1)},
         both_(radii_[0] + radii_[1]),
         limit_(both_ + mpq_class(p.margin())) {}
 
   [[nodiscard]] QuickNumbers::Whole whole() const {
     const BigDyadic height = pair_.height(normal_);
-    if (compare_with(height, square_, square_, limit_) == Sign::positive) return {false, Relation::disjoint, {}, 0};
+    const BigDyadic whole = square_ * scale_;
+    if (compare_with(height, whole, square_, limit_) == Sign::positive) return {false, Relation::disjoint, {}, 0};
     const auto unit = [&](const BigDyadic& x) {
       return rounded_radical(Rounding::nearest, BigDyadic(0.0), x, square_, square_) + 0.0;
     };
-    const Sign side = compare_with(height, square_, square_, both_);
+    const Sign side = compare_with(height, whole, square_, both_);
     return {true,
             static_cast<Relation>(-static_cast<int>(side)),
             {unit(normal_.x), unit(normal_.y), unit(normal_.z)},
-            distance(height, square_)};
+            distance(height, whole)};
   }
   [[nodiscard]] bool is_near(const CornerFractions<BigDyadic>& n) const {
-    return compare_with(n.height, n.whole, square_, limit_) != Sign::positive;
+    return compare_with(n.height, n.whole * scale_, square_, limit_) != Sign::positive;
   }
   [[nodiscard]] QuickNumbers::Corner corner(CornerFractions<BigDyadic> n, const ContactId& id) const {
     if (n.whole.sign() == Sign::negative) {
@@ -277,7 +279,9 @@ class ExactNumbers3 {
       n.on_a.numerator = none - n.on_a.numerator, n.on_b.numerator = none - n.on_b.numerator;
     }
     if (!is_near(n)) return {false, {}};
-    return {true, {at(n.on_a, n.whole, radii_[0]), at(n.on_b, n.whole, -radii_[1]), distance(n.height, n.whole), id}};
+    return {
+        true,
+        {at(n.on_a, n.whole, radii_[0]), at(n.on_b, n.whole, -radii_[1]), distance(n.height, n.whole * scale_), id}};
   }
 
  private:
@@ -288,12 +292,11 @@ class ExactNumbers3 {
   }
   /// x / whole + p / q normal / sqrt(square).
   [[nodiscard]] Point3 at(const PlaceOn<BigDyadic>& place, const BigDyadic& whole, const mpq_class& radius) const {
-    const BigDyadic p{mpz_class(radius.get_num())}, q{mpz_class(radius.get_den())};
+    const BigDyadic p{mpz_class(radius.get_num())}, q{mpz_class(radius.get_den())}, over = whole * scale_;
     const auto coordinate = [&](const BigDyadic& base, const BigDyadic& along, const BigDyadic& normal) {
       const BigDyadic x = base * whole + along * place.numerator;
-      if (sgn(radius) == 0) return rounded_quotient(Rounding::nearest, x, whole) + 0.0;
-      return rounded_radical(Rounding::nearest, x * q * square_, p * normal * whole, square_, whole * q * square_) +
-             0.0;
+      if (sgn(radius) == 0) return rounded_quotient(Rounding::nearest, x, over) + 0.0;
+      return rounded_radical(Rounding::nearest, x * q * square_, p * normal * over, square_, over * q * square_) + 0.0;
     };
     return {coordinate(place.base.x, place.along.x, normal_.x), coordinate(place.base.y, place.along.y, normal_.y),
             coordinate(place.base.z, place.along.z, normal_.z)};
@@ -301,7 +304,7 @@ class ExactNumbers3 {
 
   const Pair& pair_;
   Vec<BigDyadic> normal_;
-  BigDyadic square_;
+  BigDyadic square_, scale_;  // corners are so many times those of the bodies
   std::array<mpq_class, 2> radii_;
   mpq_class both_, limit_;
 };

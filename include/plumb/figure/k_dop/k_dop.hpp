@@ -11,6 +11,7 @@
 // Cost: intervals_overlap that of the plain test; relate the same where some interval is disjoint, 4 to 10 ns a slab
 // where a point inside both is guessed, else some microseconds for a linear program in doubles of which the outcome is
 // proved, ten where sets touch, up to a millisecond in rationals where one is flat; moves, measures: milliseconds.
+// Bounded by n operations for a fit; of relate and tighten by a linear program of k rows, whatever the exponents are.
 #pragma once
 
 #include <memory>

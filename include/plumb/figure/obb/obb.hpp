@@ -9,7 +9,8 @@
 // A coordinate that is NaN or infinite throws NonFinite; a box that doubles cannot hold throws BeyondDoubles.
 // Source: RTCD 4.4, 4.4.1, 4.4.2, 6.5.3.
 // Cost: relate about 20 ns where doubles decide, in the plane 10; a few microseconds where boxes touch or are
-// degenerate.
+// degenerate.  Bounded by a fixed number of operations (n is eight corners), on integers as long as the exponents'
+// span.
 #pragma once
 
 #include <array>

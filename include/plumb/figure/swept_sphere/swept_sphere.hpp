@@ -15,6 +15,7 @@
 // Source: RTCD 4.5, 4.5.1; Larsen and others 1999 for lozenges.
 // Cost: relate of capsules some 25 ns and of lozenges some 150 ns where a plane between them or two points near to one
 // another prove the answer; exact integers where shapes touch, up to a millisecond.  A fit some 100 ns a point.
+// Bounded by n operations a fit and a fixed number a relation, on integers as long as the exponents' span.
 #pragma once
 
 #include <span>
