@@ -11,6 +11,7 @@
 
 #include "arith/certain.hpp"
 #include "arith/sparse_vec.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/contact/aim.hpp"
 #include "query/convex/features.hpp"
 
@@ -202,9 +203,9 @@ class FacingSearch {
     const ConvexPolyhedron3& solid = *c_.polyhedron();
     const PolygonMesh& m = solid.mesh;
     Sign handed = Sign::positive;
-    if (c_.pose() != nullptr) {
-      const auto& u = c_.pose()->columns;
-      handed = ask_(sparse_dot(arith::vec<T>(u[0]), sparse_cross(arith::vec<T>(u[1]), arith::vec<T>(u[2]))));
+    if (!c_.pose().stands()) {
+      const auto [u, v, w] = weighted_pose<T>(c_.pose()).columns;
+      handed = ask_(sparse_dot(u, sparse_cross(v, w)));
     }
     const Corners l = level();
     const auto is_level = [&](Index v) { return std::ranges::find(l, v) != l.end(); };

@@ -163,7 +163,7 @@ Tried tried(const EdgeSum& sum, Prover& prover, const Guess& g) {
   const auto axis = [&](std::uint32_t k) -> std::optional<Vector3> {
     const SumEdge& e = sum.first_of(k);
     const CoreCorners& c = e.body == 0 ? d.a : d.b;
-    return c.pose() != nullptr ? std::nullopt : c.axis_of_edge(e.bit);
+    return c.stands() ? c.axis_of_edge(e.bit) : std::nullopt;
   };
   const auto u = axis(g.i), v = axis(g.j);
   const bool up = *middle == Sign::positive;

@@ -10,6 +10,7 @@
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/query/gjk/gjk.hpp"
 #include "plumb/query/penetration/penetration.hpp"
+#include "query/body/rigid_cases.hpp"
 #include "query/contact/facing.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
@@ -188,6 +189,14 @@ void expect_contact(const AnyBody& va, const AnyBody& vb, Material& draw, Counts
   for (std::size_t i = 0; part && i < part->corners.size(); ++i) EXPECT_LE(part->corners[i].distance, margin) << about;
 }
 
+AnyBody under_rigid(AnyBody body, const RigidPose& by) {
+  const auto pose = std::make_shared<const RigidPose>(by);
+  body.shape = std::make_shared<const std::pair<std::shared_ptr<const void>, std::shared_ptr<const RigidPose>>>(
+      body.shape, pose);
+  body.view.pose = pose.get();
+  return body;
+}
+
 TEST(Contact, OfEveryKindIsWhatExactSetsHaveInCommon) {
   Counts counts;
   std::uint64_t start = 44'000;
@@ -198,6 +207,8 @@ TEST(Contact, OfEveryKindIsWhatExactSetsHaveInCommon) {
         AnyBody a = first(m), b = second(m);
         if (m.below(4) == 0) a = under(a, pair_cases::whole_pose(m));
         if (m.below(4) == 0) b = under(b, pair_cases::regular_pose(m));
+        if (m.below(4) == 0) a = under_rigid(a, pair_cases::rigid_pose(m, m.below(2) == 0));
+        if (m.below(4) == 0) b = under_rigid(b, pair_cases::rigid_pose(m, m.below(2) == 0));
         expect_contact(a, b, m, counts, name_of(a.view) + " and " + name_of(b.view) + " " + m.about());
       });
     }
