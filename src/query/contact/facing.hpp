@@ -200,8 +200,8 @@ class FacingSearch {
     const ConvexPolyhedron3& solid = *c_.polyhedron();
     const PolygonMesh& m = solid.mesh;
     Sign handed = Sign::positive;
-    if (c_.pose() != nullptr) {
-      const auto& u = c_.pose()->columns;
+    if (const auto* pose = std::get_if<const Pose*>(&c_.pose().by)) {  // a turn mirrors nothing
+      const auto& u = (*pose)->columns;
       handed = ask_(dot(arith::vec<T>(u[0]), cross(arith::vec<T>(u[1]), arith::vec<T>(u[2]))));
     }
     const Corners l = level();
