@@ -155,7 +155,7 @@ inline const CostRow rows_of_indexes[]{
      }},
     {"build_split_tree", "space/kd_tree/split_tree.hpp", sorting, 100,
      [](const Cloud& c) { (void)build_split_tree(c.triangles, {.most_in_leaf = 1}); }},
-    {"first_hit in a split tree", "space/kd_tree/split_ray.hpp", sorting, 200,
+    {"first_hit in a split tree", "space/kd_tree/split_ray.hpp", linear, 200,
      [](const Cloud& c) {
        const auto tree = build_split_tree(c.triangles);
        for (const Point3& p : asked_points(c)) (void)first_hit(tree, Ray3{c.b[0], vector(p)});
