@@ -12,8 +12,10 @@
 #include "plumb/certify/accepted.hpp"             // first, so that what a compiler says of a misuse is short
 #include "plumb/certify/answered.hpp"             // what is said where there is no answer, of signs
 #include "plumb/figure/basic/answered.hpp"        // of figures
-#include "plumb/figure/basic/quaternion.hpp"      // turns by quaternions, their matrices, products, rounded once
+#include "plumb/figure/basic/pose_view.hpp"       // any pose as one argument
 #include "plumb/figure/basic/relation.hpp"        // Location, Relation
+#include "plumb/figure/basic/rigid_poses.hpp"     // rigid poses one after the other, their inverses, their matrices
+#include "plumb/figure/basic/rotation.hpp"        // turns that are exact: by an angle, nearest to a matrix
 #include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once
 #include "plumb/figure/basic/rounded_poses.hpp"   // poses one after the other, their inverses, likewise
 #include "plumb/figure/basic/small_system.hpp"    // two to four linear equations

@@ -144,7 +144,7 @@ const Row rows[]{
        (void)penetration(Cone3{c.a[0], c.a[1], std::fabs(c.a[2].x)}, Cone3{c.b[0], c.b[1], std::fabs(c.b[2].x)});
      },
      100},
-    {"contact_manifold", [](const Cloud& c) { (void)contact_manifold(c.p, c.q); }, 5000, 1},
+    {"contact", [](const Cloud& c) { (void)contact(c.p, c.q, {.margin = 100}); }, 200},
     {"maximize, plane",
      [](const Cloud& c) {
        (void)maximize(Vector2{c.b[0].x, c.b[0].y}, halfplanes(c.a));

@@ -66,20 +66,20 @@ struct TurnMatrix2 {
 
 namespace arith {
 
-/// Whole multiples of 2^-25 of which the sum of squares is at most 8: sums of their products are whole multiples of
-/// 2^-50 below 2^3, which are doubles.
+/// Whole multiples of 2^-25 of which the sum of squares is below 8: sums of their products are whole multiples of 2^-50
+/// below 2^3, which are doubles.  A sum of 8 may be one that was rounded down to it.
 constexpr bool is_on_turn_lattice(double w, double x, double y, double z) {
   const auto is_whole = [](double a) {
     const double k = a * 0x1p25;
     return k >= -0x1p27 && k <= 0x1p27 && k == static_cast<double>(static_cast<std::int64_t>(k));
   };
-  return is_whole(w) && is_whole(x) && is_whole(y) && is_whole(z) && w * w + x * x + y * y + z * z <= 8;
+  return is_whole(w) && is_whole(x) && is_whole(y) && is_whole(z) && w * w + x * x + y * y + z * z < 8;
 }
 
 }  // namespace arith
 
 /// Nothing where a number of it would have to be rounded, and for zero.  Always there for multiples of 2^-25 of a length
-/// up to the root of 8, which nearest_rotation makes (figure/basic/rotation.hpp).
+/// below the root of 8, as nearest_rotation makes them (figure/basic/rotation.hpp).
 constexpr std::optional<TurnMatrix> exact_matrix(const Rotation& q) {
   const auto& [w, x, y, z] = q;
   const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, weight = ww + xx + yy + zz;

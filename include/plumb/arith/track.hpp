@@ -27,13 +27,14 @@ namespace plumb {
 /// How many scales a statement has; bit by bit of which there is a number for each axis, which have weights, and which
 /// are the largest of their leaves' magnitudes instead of the sum.  The largest is sharper in high powers, but a NaN is
 /// not seen in it: the statement requires that a number is real in which all leaves are.
+/// Of `known` ones, which are maxima too, the world is given a bound before there are leaves, which none of them exceeds.
 /// Of `squares` doubles add up the squares of the leaves instead, which costs nothing where a statement does so itself:
 /// the scale is the root, of which odd powers are judged by the square of the number.
 /// And has scale 0 numbers that are multiplied crosswise, each by two of the scales 1, 2 and 3?
 struct Scales {
   unsigned count = 1, each_axis = 0, weights = 0, maxima = 0;
   bool crosswise = false;
-  unsigned squares = 0;
+  unsigned squares = 0, known = 0;
 };
 
 struct Track {
@@ -103,10 +104,12 @@ constexpr Track difference(std::size_t scale, const Track& of_world) {
   (t.of_pairs ? t.low : t.error) = Track::one;
   return t;
 }
-/// A difference that is no larger than two of them together.
-constexpr Track within(std::size_t scale, const Track& of_world) {
+/// A difference that is no larger than two of them together, of which the scale is the sum, or each no more than it.
+constexpr Track within(std::size_t scale, const Track& of_world, Track::Fixed scales = 1) {
   Track t = difference(scale, of_world);
-  t.size = Track::one + 1;  // for what they were rounded
+  t.size = scales * Track::one + 1;  // for what they were rounded
+  Track::Fixed& off = t.of_pairs ? t.low : t.error;
+  off = scales == 1 ? off : t.size;
   return t;
 }
 /// A number as given of which the scale `over` times itself is in `scale`.

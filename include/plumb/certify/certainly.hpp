@@ -14,7 +14,7 @@
 //
 // Doubles whose error is derived when the statement is compiled; pairs of doubles likewise, which on a lattice of few
 // bits tell zero as well; integers of as many limbs as they need, on the stack, up to 1,024 bits; then rational
-// numbers.  A statement whose numbers are of a higher power of its scales than 6 says so: `static constexpr int highest
+// numbers.  Other worlds are named: certainly<ExactWorlds>(statement, input...).  A statement whose numbers are of a higher power of its scales than 6 says so: `static constexpr int highest
 // = 8;`; one whose leaves belong to more than one scale, `static constexpr Scales scales{.count = 2};`.
 // Laws: those of certify/world.hpp.
 // Source: docs/add_a_decision.md.
@@ -139,16 +139,37 @@ using PairWorld = certify::one_lane::Floats<double, highest_power<Statement>, sc
                                             Precision::pairs>;
 using RationalWorld = ExactNumbers<Rational, WorldKind::rationals>;
 
+/// Worlds in the order in which they are asked; the last one is certain of everything.
+template <class... World>
+struct Worlds {
+  template <class Recorder, class Statement, class... Input>
+  static auto answer(Recorder&& recorder, const Statement& statement, const Input&... input) {
+    return certify::one_lane::ask_worlds<World...>(recorder, statement, input...);
+  }
+};
+using ExactWorlds = Worlds<IntegerWorld, RationalWorld>;
+/// After doubles, which the caller has asked.
+template <class Statement>
+using CloserWorlds = Worlds<PairWorld<Statement>, IntegerWorld, RationalWorld>;
+
+/// Those that derive the errors of this statement.
+struct DerivedWorlds {
+  template <class Recorder, class Statement, class... Input>
+  static auto answer(Recorder&& recorder, const Statement& statement, const Input&... input) {
+    using List = Worlds<FloatWorld<Statement>, PairWorld<Statement>, IntegerWorld, RationalWorld>;
+    return List::answer(recorder, statement, input...);
+  }
+};
+
 /// The answer; the recorder is told which world gave it.
-template <class Recorder, class Statement, class... Input>
+template <class List = DerivedWorlds, class Recorder, class Statement, class... Input>
 auto certainly_recorded(Recorder&& recorder, const Statement& statement, const Input&... input) {
   assert_sound_thread();
-  return certify::one_lane::ask_worlds<FloatWorld<Statement>, PairWorld<Statement>, IntegerWorld, RationalWorld>(
-      recorder, statement, input...);
+  return List::answer(recorder, statement, input...);
 }
-template <class Statement, class... Input>
+template <class List = DerivedWorlds, class Statement, class... Input>
 auto certainly(const Statement& statement, const Input&... input) {
-  return certainly_recorded(NoWorldRecorder{}, statement, input...);
+  return certainly_recorded<List>(NoWorldRecorder{}, statement, input...);
 }
 
 }  // namespace plumb

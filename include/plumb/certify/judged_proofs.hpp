@@ -137,7 +137,7 @@ class World {
   Number difference_within(double b, double a, std::size_t axis) {
     return {book_,
             {Book::Entry::Kind::difference},
-            on_axis<scale>(arith::track::within(scale, start), axis),
+            on_axis<scale>(arith::track::within(scale, start, (of.maxima >> scale & 1) != 0 ? 2 : 1), axis),
             Rational(b) - Rational(a)};
   }
   template <std::size_t scale = 0>

@@ -7,7 +7,7 @@
 
 #include "certify/case_line.hpp"
 #include "plumb/arith/error.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/separation/convex_body.hpp"
 
 namespace plumb {

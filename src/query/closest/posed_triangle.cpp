@@ -4,7 +4,7 @@
 
 #include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
-#include "certify/certainly.hpp"
+#include "certify/carried_errors.hpp"
 #include "query/closest/numbers.hpp"
 
 namespace plumb::query {
@@ -226,8 +226,8 @@ double rounded_distance(const PosedClosePair<BigDyadic>& pair) {
 }  // namespace
 
 Feature nearest_feature(const PosedTriangle3& triangle, const Point3& p) {
-  return certainly<CertainSigns>(
-      [&]<class T>(CertainSigns& ask) { return nearest_feature<T>(posed_corners<T>(triangle), vector_of<T>(p), ask); });
+  return certainly<CarriedErrors<>>(
+      [&]<class T>(Carrying<T>& ask) { return nearest_feature<T>(posed_corners<T>(triangle), vector_of<T>(p), ask); });
 }
 
 ClosestOnPosed closest_on(const PosedTriangle3& triangle, const Point3& p) {
@@ -243,7 +243,7 @@ Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p)
       foot_of(posed_corners<BigDyadic>(triangle), vector_of<BigDyadic>(p), nearest_feature(triangle, p)));
 }
 Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double than) {
-  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
+  return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
     const auto corners = posed_corners<T>(triangle);
     const Vec3<T> at = vector_of<T>(p);
     const Foot<T> foot = foot_of(corners, at, nearest_feature<T>(corners, at, ask));
@@ -289,7 +289,7 @@ std::optional<std::array<Feature, 2>> quick_features(const PosedTriangle3& a, co
   return std::array{pair->feature_a, pair->feature_b};
 }
 Sign compare_distance(const PosedTriangle3& a, const PosedTriangle3& b, double than) {
-  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
+  return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
     const auto pair = least_pair<T>(a, b, false, ask);
     return pair ? ask(pair->square - T(than) * T(than) * pair->over) : Sign::zero;
   });

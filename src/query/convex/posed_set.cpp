@@ -1,7 +1,7 @@
 #include "query/convex/posed_set.hpp"
 
 #include "arith/root_sign.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/cap_relation.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"

@@ -10,7 +10,7 @@ bool QuickHull::set(const BodyView& body) {
   pose_ = body.pose, is_given_ = body.pose == nullptr;
   if (body.is_hull()) {
     at_ = body.vertices.data(), size_ = static_cast<std::uint32_t>(body.vertices.size());
-    return size_ > 0;
+    return size_ > 0 && body.radius == 0;
   }
   if (body.figure.kind != FigureKind::convex_polyhedron) return set_few(body.figure);
   solid_ = static_cast<const ConvexPolyhedron3*>(body.figure.shape);

@@ -51,6 +51,8 @@ class QuickHull {
   }
   /// Is every number of it one?
   [[nodiscard]] bool is_finite() const;
+  /// The same, but of a polyhedron, whose numbers are what convex_polyhedron made and are not looked through.
+  [[nodiscard]] bool is_finite_but_of_solid() const { return solid_ != nullptr || is_finite(); }
   /// About its middle.
   [[nodiscard]] arith::Plain middle() const {
     const std::uint32_t last = size_ - 1;

@@ -3,7 +3,7 @@
 
 #include "arith/exact_number.hpp"
 #include "arith/rational_lp.hpp"
-#include "certify/certainly.hpp"
+#include "certify/carried_errors.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "query/overlap/posed_triangles.hpp"
 
@@ -165,7 +165,7 @@ bool intersects(const PosedTriangle3& triangle, const Segment3& segment) {
 }
 
 bool intersects(const PosedTriangle3& triangle, const Halfspace3& halfspace) {
-  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
+  return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
     for (const Vec3<T>& corner : posed_corners<T>(triangle)) {
       CertainSigns alone;
       if (alone(excess_over(halfspace, corner)) != Sign::positive && alone.certain()) return true;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "certify/certainly.hpp"
+#include "certify/carried_errors.hpp"
 #include "query/overlap/triangle_signs.hpp"
 
 namespace plumb::query {
@@ -162,8 +162,8 @@ Relation relate_without_area(const PosedTriangle3& a, const PosedTriangle3& b, C
 }  // namespace
 
 Relation relate(const PosedTriangle3& a, const PosedTriangle3& b) {
-  const auto answer = certainly<CertainSigns>(
-      [&]<class T>(CertainSigns& ask) { return relate_by(a.shape, b.shape, PosedSigns<T>(a, b, ask)); });
+  const auto answer = certainly<CarriedErrors<>>(
+      [&]<class T>(Carrying<T>& ask) { return relate_by(a.shape, b.shape, PosedSigns<T>(a, b, ask)); });
   return answer ? *answer : relate_flat(a, b);
 }
 

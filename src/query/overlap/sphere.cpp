@@ -44,8 +44,7 @@ template <class Straight>
 [[gnu::noinline]] Relation relate_precisely(const Straight& straight, const Sphere3& ball, Question question) {
   require_figures(question, straight, ball);
   const Relation r = in_words(straight, ball, []<class Statement>(const Statement& statement, const auto&... input) {
-    return certify::one_lane::ask_worlds<PairWorld<Statement>, IntegerWorld, RationalWorld>(NoWorldRecorder{},
-                                                                                            statement, input...);
+    return certainly<CloserWorlds<Statement>>(statement, input...);
   });
   if (r == Relation::touching && ball.radius == 0) return relate_swept(core_set(ball), 0, flat_set(straight));
   return r;

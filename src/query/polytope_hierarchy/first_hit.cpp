@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "arith/proved_sign.hpp"
+#include "certify/proved_sign.hpp"
 #include "plumb/figure/basic/plane.hpp"
 #include "query/polytope_hierarchy/nearest.hpp"
 #include "query/separation/convex_body.hpp"

@@ -10,7 +10,6 @@
 
 #include <vector>
 
-#include "certify/certainly.hpp"
 #include "plumb/certify/radical.hpp"
 #include "query/ray/shot.hpp"
 
@@ -177,7 +176,7 @@ std::optional<Decided> clip(const ShotLine<T>& line, const Model& model, RaySign
 
 template <class Model>
 std::optional<Decided> clip(const AnyRay& ray, const Model& model) {
-  return certainly<RaySigns>([&]<class T>(RaySigns& ask) { return clip<T>(ShotLine<T>(ray), model, ask); });
+  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return clip<T>(ShotLine<T>(ray), model, ask); });
 }
 
 }  // namespace plumb::query

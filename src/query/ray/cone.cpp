@@ -7,7 +7,6 @@
 // first root from there on is the lesser one of a positive square, the greater one of a negative, and both are
 // (-half - sqrt(discriminant)) / square;
 //   discriminant = P^2 (r^2 |e x (d x w)|^2 - P (w . (d x e))^2).
-#include "certify/certainly.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/clip.hpp"
 #include "query/ray/round_parts.hpp"
@@ -113,7 +112,7 @@ std::optional<Answer> of(const AnyRay& ray, const Cone3& cone) {
     }
   }
   const ConeModel model{cone};
-  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
                           return decide_cone<T>(ShotLine<T>(ray), model, ask);
                         }));
 }

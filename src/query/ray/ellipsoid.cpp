@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <span>
 
-#include "certify/certainly.hpp"
 #include "plumb/figure/basic/sound.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/round_parts.hpp"
@@ -121,7 +120,7 @@ struct EllipsoidModel {
 
 EllipsoidSpan span_of(const Ellipsoid3& ellipsoid) {
   const EllipsoidModel model{ellipsoid};
-  return certainly<RaySigns>([&]<class T>(RaySigns& ask) -> EllipsoidSpan {
+  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) -> EllipsoidSpan {
     if (ask(model.determinant<T>()) != Sign::zero) return {3, 0, 1, 0};
     const auto telling = [&](const Vec3<T>& v) -> std::optional<std::size_t> {
       for (std::size_t k = 0; k < 3; ++k) {

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 
-#include "certify/certainly.hpp"
 #include "query/ray/numbers.hpp"
 
 namespace plumb::query {
@@ -257,8 +256,8 @@ std::optional<Decided> hold_point(const AnyRay& ray, const Model& model, RaySign
 template <class Model>
 std::optional<Decided> meet(const AnyRay& ray, const Model& model) {
   if (has_no_direction(ray))
-    return certainly<RaySigns>([&]<class T>(RaySigns& ask) { return hold_point<T>(ray, model, ask); });
-  return certainly<RaySigns>([&]<class T>(RaySigns& ask) { return meet_facets<T>(ray, model, ask); });
+    return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return hold_point<T>(ray, model, ask); });
+  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return meet_facets<T>(ray, model, ask); });
 }
 
 /// The sign of value, or of the first part of the gradient that is not zero: of a ray that is moved a little along x,

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "certify/certainly.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/clip.hpp"
 #include "query/ray/round_parts.hpp"
@@ -181,7 +180,7 @@ std::optional<Decided> decide_lozenge(const ShotLine<T>& line, const LozengeMode
 
 LozengeModel lozenge_model(const Lozenge3& lozenge) {
   LozengeModel model{lozenge};
-  return certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
     LozengeModel m = model;
     const Vec3<T> e = m.edge<T>(0), f = m.edge<T>(1);
     if (!is_zero(cross(e, f), ask)) return m;
@@ -195,7 +194,7 @@ template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Lozenge3& lozenge) {
   require<Answer>(ray, lozenge);
   const LozengeModel model = lozenge_model(lozenge);
-  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
                           return decide_lozenge<T>(ShotLine<T>(ray), model, ask);
                         }));
 }

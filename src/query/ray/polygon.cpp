@@ -5,7 +5,6 @@
 // chain.  In its plane a ray that begins outside enters at an edge.
 #include <vector>
 
-#include "certify/certainly.hpp"
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/query/ray/hits.hpp"
@@ -154,7 +153,7 @@ std::optional<Answer> of_polygon(const AnyRay& ray, const Polygon& polygon) {
   model.plane = plane_of_points(model.corners);
   require_planar(function, "polygon", model.plane);
   const bool begins_in = (begins(ray) || has_no_direction(ray)) && contains(polygon, ray.origin);
-  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
                           return decide_polygon<T>(ray, model, begins_in, ask);
                         }));
 }

@@ -1,6 +1,5 @@
 #include "query/ray/posed_triangle.hpp"
 
-#include "certify/certainly.hpp"
 #include "query/ray/half_open.hpp"
 
 namespace plumb::query {
@@ -24,7 +23,7 @@ std::optional<Answer> of_posed(const AnyRay& ray, const PosedTriangle3& triangle
   const PosedModel model(triangle);
   if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
   return answer<Answer>(ray, model,
-                        certainly<RaySigns>([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
+                        certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return half_open<T>(ray, model, ask); }));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 //
 // Beside its chain a point is inside where the chain winds around it an odd number of times: where it is in one of the
 // triangles abc and acd, by the half-open rule, and not in both.
-#include "certify/certainly.hpp"
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/predicates.hpp"
@@ -109,7 +108,7 @@ std::size_t spanning(const Quadrilateral3& quadrilateral) {
   const std::array<Point3, 4> at{a, b, c, d};
   for (std::size_t i = 0; i < triples.size(); ++i) {
     const auto& [p, q, r] = triples[i];
-    const bool collinear = certainly<RaySigns>([&, p = p, q = q, r = r]<class T>(RaySigns& ask) {
+    const bool collinear = certainly<RayWorlds>([&, p = p, q = q, r = r]<class T>(RayWorld<T>& ask) {
       return is_zero(cross(between<T>(at[p], at[q]), between<T>(at[p], at[r])), ask);
     });
     if (!collinear) return i;
@@ -123,7 +122,7 @@ std::optional<Answer> of(const AnyRay& ray, const Quadrilateral3& q) {
   if (orient3d(q.a, q.b, q.c, q.d) != Sign::zero)
     require_planar(function_of<Answer>, "quadrilateral", plane_of_points(std::array{q.a, q.b, q.c, q.d}));
   const QuadrilateralModel model{q, spanning(q)};
-  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
                           return decide_quadrilateral<T>(ray, model, ask);
                         }));
 }

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <vector>
 
-#include "certify/certainly.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/query/ray/hits.hpp"
@@ -143,7 +142,7 @@ Feature feature_of(const Edge2& e, const Feature& f) {
 }
 
 std::optional<Decided> decided(const AnyRay& ray, const EdgeModel& model) {
-  return certainly<RaySigns>([&]<class T>(RaySigns& signs) { return decide_edge<T>(ray, model, signs); });
+  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& signs) { return decide_edge<T>(ray, model, signs); });
 }
 
 /// Which edges are hit first, and where.

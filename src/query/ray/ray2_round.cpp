@@ -3,7 +3,6 @@
 #include <cmath>
 #include <vector>
 
-#include "certify/certainly.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/lifted.hpp"
@@ -65,7 +64,7 @@ Vector2 normal_of(const AnyRay& ray, const Obb2& box, const Feature& at) {
     if (!corner && at.index / 2 != axis) continue;
     const double half = axis == 0 ? box.half.x : box.half.y;
     const Vector2& along = box.axes[axis];
-    const Sign across = certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+    const Sign across = certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
       return ask(flat_turn(direction_of<T>(ray), vector_of<T>(plumb::in_space(along))));
     });
     if (half == 0 || across == Sign::zero) continue;

@@ -4,7 +4,6 @@
 // parameters at which the ray passes from one zone to the next are quotients, and both quadratics agree there.
 #include <span>
 
-#include "certify/certainly.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/round_parts.hpp"
 #include "query/ray/seen_line.hpp"
@@ -138,7 +137,7 @@ std::optional<Answer> of(const AnyRay& ray, const Capsule3& capsule) {
   require<Answer>(ray, capsule);
   if (capsule.a == capsule.b) return of_ball<Answer>(ray, capsule.a, capsule.radius);
   const CapsuleModel model{capsule};
-  return answer<Answer>(ray, model, certainly<RaySigns>([&]<class T>(RaySigns& ask) {
+  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
                           return decide_capsule<T>(ShotLine<T>(ray), model, ask);
                         }));
 }

@@ -1,6 +1,6 @@
 // Ray cast: how is a line seen by shapes, over any number type?  Its parameters, and what is asked of them.
 //
-// Numbers are Approximate, Ball and BigDyadic in turn (certify/certainly.hpp), until all signs are certain.  A parameter is
+// Numbers are Approximate, Ball and BigDyadic in turn (certify/carried_errors.hpp), until all signs are certain.  A parameter is
 // a quotient, or the lesser root of a quadratic; what a decision keeps of it is where it comes from, so that it can be
 // computed again in other numbers.
 #pragma once
@@ -9,8 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "arith/approximate.hpp"
-#include "arith/certain.hpp"
+#include "certify/carried_errors.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/query/ray/ray.hpp"
 #include "query/body/vectors.hpp"
@@ -30,6 +29,9 @@ class RaySigns {
  private:
   CertainSigns signs_;
 };
+template <class T>
+using RayWorld = Carrying<T, RaySigns>;
+using RayWorlds = CarriedErrors<RaySigns>;
 
 template <class T>
 Vec3<T> times(const Vec3<T>& v, const T& t) {

@@ -1,5 +1,4 @@
 // Triangles, by both rules.
-#include "certify/certainly.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/ray/half_open.hpp"
@@ -39,7 +38,7 @@ std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule r
   const TriangleModel model(triangle);
   if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
   return answer<Answer>(ray, model,
-                        certainly<RaySigns>([&]<class T>(RaySigns& ask) { return half_open<T>(ray, model, ask); }));
+                        certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return half_open<T>(ray, model, ask); }));
 }
 
 /// What doubles tell for certain is so for every ray nearby.

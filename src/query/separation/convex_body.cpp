@@ -25,6 +25,9 @@ void require_hull(std::string_view function, const std::string& name, const Body
     const std::string part = name + ".vertices[" + std::to_string(i) + "]";
     require_finite_parts(function, {part}, body.vertices[i]);
   }
+  if (body.radius >= 0 && is_real(body.radius)) return;
+  figure::refuse_number(function, name + ".radius", std::array{body.radius});
+  figure::refuse_length(function, name + ".radius");
 }
 
 /// Throws where the polygon is not planar or not convex; on one line it may be.
@@ -73,14 +76,14 @@ std::string_view spoken(const BodyView& body) { return body.is_hull() ? "hull" :
 
 Body body_of(std::string_view function, std::string_view name, const BodyView& body) {
   const CoreCorners corners = sound_corners(function, name, body);
-  if (body.is_hull()) return {corners, 0};
+  if (body.is_hull()) return {corners, body.radius};
   const double radius = radius_of(body.figure);
   if (radius == 0 || body.pose == nullptr) return {corners, radius};
   const PosedView posed{body.figure, body.pose, nullptr};
   return {corners, radius_of_image(function, posed, posed_set(posed))};
 }
 
-bool has_radius(const BodyView& body) { return !body.is_hull() && radius_of(body.figure) != 0; }
+double radius_of(const BodyView& body) { return body.is_hull() ? body.radius : radius_of(body.figure); }
 
 std::array<CoreCorners, 2> corners_of(std::string_view function, const BodyView& a, const BodyView& b) {
   const auto [name_a, name_b] = names_of(a, b);

@@ -30,6 +30,12 @@ class CoreCorners {
  public:
   /// Of points, segments, triangles, tetrahedra, boxes, rectangles, polyhedra, balls, capsules and lozenges.
   static std::optional<CoreCorners> of(const FigureView& figure);
+  /// Of a line or ray the part up to a multiple of its direction, on both sides or ahead.
+  static CoreCorners straight(const Point3& from, const Vector3& along, double length, bool both_sides) {
+    CoreCorners c;
+    c.take(std::array{from}), c.take_way(along, length), c.both_ = both_sides;
+    return c;
+  }
   /// Of polygons and of hulls of any points as well, and under the body's pose.  Nothing of an empty one.
   static std::optional<CoreCorners> of(const BodyView& body);
 

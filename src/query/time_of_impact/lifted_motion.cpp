@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "figure/basic/in_space.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/time_of_impact/moving_body.hpp"
 
 namespace plumb::query {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/body/figure_view.hpp"
 #include "query/convex/exact_map.hpp"
 
 namespace plumb::query {

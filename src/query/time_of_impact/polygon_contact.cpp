@@ -8,10 +8,10 @@
 
 #include "arith/exact_number.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/chain_edges.hpp"
-#include "query/body/figure_view.hpp"
 #include "query/convex/chains.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/overlap/polygon_relation.hpp"

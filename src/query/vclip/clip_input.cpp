@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "arith/proved_sign.hpp"
+#include "certify/proved_sign.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb::query::vclipping {

@@ -59,7 +59,7 @@ Sign side_of_number(const Quotient& quotient, double k, const Input&... input) {
     const Sign side = w.sign(numerator - w.number(k) * denominator);
     return w.sign(denominator) == Sign::negative ? -side : side;
   };
-  return certify::one_lane::ask_worlds<IntegerWorld, RationalWorld>(NoWorldRecorder{}, statement, input...);
+  return certainly<ExactWorlds>(statement, input...);
 }
 
 template <class Quotient, class... Input>

@@ -24,8 +24,7 @@ struct CrossingOrder {
 };
 
 int exact_order(const WalkAxis& a, std::int64_t i, const WalkAxis& b, std::int64_t j) {
-  const auto s = static_cast<int>(
-      certify::one_lane::ask_worlds<IntegerWorld, RationalWorld>(NoWorldRecorder{}, CrossingOrder{}, a, i, b, j));
+  const auto s = static_cast<int>(certainly<ExactWorlds>(CrossingOrder{}, a, i, b, j));
   return (a.to > a.base) == (b.to > b.base) ? s : -s;
 }
 

@@ -3,7 +3,7 @@
 #include <compare>
 #include <string>
 
-#include "certify/certainly.hpp"
+#include "certify/carried_errors.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/bvh/descend_compact.hpp"
 #include "plumb/space/ray/posed_ray.hpp"
@@ -26,7 +26,7 @@ Sign moved_side_of(const query::Vec3<T>& a, const query::Vec3<T>& b, CertainSign
 
 /// Which way does the ray from p along x leave through the triangle, which p is not on?  Zero: it does not.
 Sign crossing_of(const Posed<Triangle3>& triangle, const Point3& p) {
-  return certainly<CertainSigns>([&]<class T>(CertainSigns& ask) {
+  return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
     const query::Vec3<T> from = query::vector_of<T>(p);
     const auto corners = query::posed_corners<T>(triangle);
     const query::Vec3<T> a = corners[0] - from, b = corners[1] - from, c = corners[2] - from;

@@ -105,12 +105,19 @@ class Floats {
     static_assert(all == derive::sum_crosswise(Y, B) && all == derive::sum_crosswise(Z, C));
     return Tracked<Number, all>{plus_product(plus_product(x.value * a.value, y.value, b.value), z.value, c.value)};
   }
+  /// No leaf of this scale exceeds this in magnitude: said before there are any, of lanes in all of them.
+  template <std::size_t scale>
+  [[gnu::always_inline]] constexpr void bound(const V& most) {
+    static_assert((of.known >> scale & 1) != 0);
+    scales_[scale] = scales_[scale] + most;
+  }
   /// b - a, which is no larger than two leaves of this scale together, so that it need not be added to it.
   template <std::size_t scale = 0, Track A, Track B>
   [[gnu::always_inline]] constexpr auto difference_within(const Given<V>& b, const Given<V>& a,
                                                           const Tracked<Number, A>&, const Tracked<Number, B>&) const {
-    static_assert(A == derive::difference(scale, start) && B == A && (of.maxima >> scale & 1) == 0);
-    return Tracked<Number, derive::within(scale, start)>{plain_difference(b.value, a.value)};
+    static_assert(A == derive::difference(scale, start) && B == A);
+    constexpr Track::Fixed scales = (of.maxima >> scale & 1) != 0 ? 2 : 1;
+    return Tracked<Number, derive::within(scale, start, scales)>{plain_difference(b.value, a.value)};
   }
   /// The same leaves of what is given outright.
   template <std::size_t scale = 0>
@@ -316,7 +323,9 @@ class Floats {
   template <std::size_t scale, Track T>
   [[gnu::always_inline]] constexpr Tracked<Number, T> leaf(const Number& x) {
     static_assert(scale < of.count);
-    if constexpr ((of.maxima >> scale & 1) != 0) {
+    if constexpr ((of.known >> scale & 1) != 0) {
+      static_assert((of.maxima >> scale & 1) != 0 && !on_lattice);
+    } else if constexpr ((of.maxima >> scale & 1) != 0) {
       scales_[scale] = larger(size(main_part(x)), scales_[scale]);
     } else if constexpr (is_square(scale)) {  // as the statement sums them up, which need not be done twice
       scales_[scale] = has_leaf_[scale] ? scales_[scale] + x * x : x * x;

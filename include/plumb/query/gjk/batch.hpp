@@ -38,6 +38,7 @@ struct BodyPair {
 struct GjkBatchOptions {
   Execution execution = Execution::serial;
   std::span<GjkCache> caches{};  // none, or one a pair
+  WhichPair pair = WhichPair::any;
 };
 
 /// 1 where the pair meets, else 0.

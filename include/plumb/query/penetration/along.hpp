@@ -74,6 +74,12 @@ template <>
 inline constexpr bool is_straight_body<VertexHull3> = true;
 template <>
 inline constexpr bool is_straight_body<Posed<VertexHull3>> = true;
+template <>
+inline constexpr bool is_straight_body<AnyFigure> = false;  // its kind may have a radius
+template <>
+inline constexpr bool is_straight_body<RoundedHull3> = false;
+template <RoundedHullFigure Shape>
+inline constexpr bool is_straight_body<Shape> = false;
 
 std::optional<PenetrationAlong> penetration_along_of(const BodyView& a, const BodyView& b,
                                                      std::span<const Vector3> directions, bool is_list);

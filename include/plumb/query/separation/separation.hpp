@@ -17,7 +17,7 @@
 // alone: 2 times the direction, plus 1 at its upper end; the number of the halfspace.  (7) Degenerate figures are the sets
 // that they are.
 // NaN and infinity throw NonFinite, an empty figure, a negative radius and a polygon that is not planar InvalidShape, by
-// name.
+// name.  Where doubles decide, a polyhedron is what convex_polyhedron made, and is not looked through.
 // Source: RTCD 5.1.8, 5.1.9, 5.1.10, 5.1.11; Gilbert, Johnson and Keerthi 1988; Wolfe 1976.
 // Cost: docs/closest.md.
 #pragma once
@@ -35,9 +35,12 @@ concept SeparatedPair = Figure<A> && Figure<B> &&(figure_dimension<A> == figure_
                         closest_pairs.answers(figure_kind<A>, figure_kind<B>, figure_dimension<A>) &&
                         !StraightPair<A, B> && !(AnyOf<A, Point2, Point3> && (NearPoint2<B> || NearPoint3<B>));
 
+/// What is of no kind before it is asked may be round.
 template <class S>
-inline constexpr bool is_round = is_one_of(figure_kind<S>,
-                                           {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
+inline constexpr bool is_round = true;
+template <Figure S>
+inline constexpr bool is_round<S> = is_one_of(figure_kind<S>,
+                                              {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
 
 Closest closest_points_of(const FigureView& a, const FigureView& b);
 double distance_of(const FigureView& a, const FigureView& b, Question question);

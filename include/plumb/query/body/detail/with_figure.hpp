@@ -7,13 +7,12 @@
 
 namespace plumb::query {
 
-/// Calls f with the figure as it was.
+/// Calls f with a null pointer to its type.
 template <class F>
-decltype(auto) with_figure(const FigureView& v, F f) {
-  const auto as = [&]<class Shape>(const Shape*) -> decltype(auto) { return f(*static_cast<const Shape*>(v.shape)); };
+decltype(auto) with_figure_type(const FigureView& v, const F& f) {
 #define PLUMB_CASE(kind, shape2, shape3) \
   case FigureKind::kind:                 \
-    return v.dimension == 2 ? as(static_cast<const shape2*>(nullptr)) : as(static_cast<const shape3*>(nullptr));
+    return v.dimension == 2 ? f(static_cast<const shape2*>(nullptr)) : f(static_cast<const shape3*>(nullptr));
   switch (v.kind) {
     PLUMB_CASE(point, Point2, Point3)
     PLUMB_CASE(line, Line2, Line3)
@@ -40,9 +39,16 @@ decltype(auto) with_figure(const FigureView& v, F f) {
     PLUMB_CASE(spherical_cap, SphericalCap3, SphericalCap3)
     case FigureKind::convex_polyhedron:
     default:
-      return as(static_cast<const ConvexPolyhedron3*>(nullptr));
+      return f(static_cast<const ConvexPolyhedron3*>(nullptr));
   }
 #undef PLUMB_CASE
+}
+
+/// Calls f with the figure as it was.
+template <class F>
+decltype(auto) with_figure(const FigureView& v, const F& f) {
+  return with_figure_type(
+      v, [&]<class Shape>(const Shape*) -> decltype(auto) { return f(*static_cast<const Shape*>(v.shape)); });
 }
 
 }  // namespace plumb::query
