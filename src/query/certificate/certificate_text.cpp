@@ -73,6 +73,7 @@ Json json_of_figure(const Shape& s) {
 Json json_of_body(const BodyView& body) {
   Json json = body.is_hull() ? Json{{"vertices", json_of(body.vertices)}}
                              : query::with_figure(body.figure, [](const auto& s) { return json_of_figure(s); });
+  if (body.radius != 0) json["radius"] = json_of(body.radius);  // of a hull
   if (body.pose != nullptr) {
     json["pose"] = {{"columns", json_of(body.pose->columns)}, {"translation", json_of(body.pose->translation)}};
   }

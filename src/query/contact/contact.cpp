@@ -21,8 +21,7 @@ using namespace touching;  // NOLINT: all of it is of this question
 class Radii {
  public:
   Radii(std::string_view function, const BodyView& a, const BodyView& b) {
-    if (has_radius(a)) given_[0] = radius_of(a.figure);
-    if (has_radius(b)) given_[1] = radius_of(b.figure);
+    given_ = {radius_of(a), radius_of(b)};
     if ((given_[0] == 0 || a.pose == nullptr) && (given_[1] == 0 || b.pose == nullptr)) return;
     const std::array<Body, 2> bodies = bodies_of(function, a, b);
     posed_ = {bodies[0].radius, bodies[1].radius};
