@@ -99,6 +99,12 @@ TEST(OwnFigure, IsAskedWithEveryFigure) {
       EXPECT_EQ(swapped(closest_points(other, cushion)), c) << "replay: " << i;
       const auto deep = exact_penetration(cushion, other);
       EXPECT_EQ(deep.has_value(), intersects(cushion, other)) << "replay: " << i;
+      const auto touch = contact(cushion, other, {.margin = 99});
+      ASSERT_TRUE(touch.has_value()) << "replay: " << i;
+      EXPECT_EQ(touch->relation == Relation::disjoint, !intersects(cushion, other)) << "replay: " << i;
+      if (!intersects(cushion, other)) {
+        EXPECT_EQ(touch->distance, distance(cushion, other)) << "replay: " << i;
+      }
     };
     as_body(Segment3{p, q}), as_body(Sphere3{p, 1}), as_body(Tetrahedron3{p, q, r, {0, 0, 0}});
     const mine::Cushion other{{p, q, r}, 1};

@@ -36,12 +36,9 @@ concept SeparatedPair = Figure<A> && Figure<B> &&(figure_dimension<A> == figure_
                         closest_pairs.answers(figure_kind<A>, figure_kind<B>, figure_dimension<A>) &&
                         !StraightPair<A, B> && !(AnyOf<A, Point2, Point3> && (NearPoint2<B> || NearPoint3<B>));
 
-/// What is of no kind before it is asked may be round.
 template <class S>
-inline constexpr bool is_round = true;
-template <Figure S>
-inline constexpr bool is_round<S> = is_one_of(figure_kind<S>,
-                                              {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
+inline constexpr bool is_round = is_one_of(figure_kind<S>,
+                                           {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
 
 Closest closest_points_of(const FigureView& a, const FigureView& b);
 double distance_of(const FigureView& a, const FigureView& b, Question question);
