@@ -88,7 +88,7 @@ bool hits_along(const SplitTree<Figure>& tree, const Way& way) {
   if (tree.nodes.empty()) return found;
   SplitWalk<Figure>({tree.nodes}, path, KdCells::half_open).each_leaf([&](std::size_t leaf, const Place&) {
     for (const std::uint32_t i : tree.items_in(leaf)) {
-      found = !is_passed_by(path, tree.figures[i]) && hits(way, tree.figures[i]);
+      found = !is_passed_by(path, tree.figures[i]) && first_hit_parameter(way, tree.figures[i]).has_value();
       if (found) return Descent::stop;
     }
     return Descent::go_on;
