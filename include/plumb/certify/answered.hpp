@@ -47,14 +47,4 @@ PLUMB_NO_ANSWER(bool,
                 "what name_of and to_string say")
 operator<<(const arith::Anything&, const arith::Anything&) PLUMB_DELETED;
 
-PLUMB_NO_ANSWER(bool,
-                "plumb: - has no place between points and vectors, for it would round: rounded_difference(a, b) does "
-                "it by name; ask what is to be decided of the points themselves (orient3d, compare_distance)")
-operator-(const arith::Anything&, const arith::Anything&) PLUMB_DELETED;
-
-PLUMB_NO_ANSWER(bool,
-                "plumb: + has no place between points and vectors, for it would round: rounded_sum(p, v) does it by "
-                "name; ask what is to be decided of the points themselves (orient3d, compare_distance)")
-operator+(const arith::Anything&, const arith::Anything&) PLUMB_DELETED;
-
 }  // namespace plumb
