@@ -131,9 +131,9 @@ TEST(Strictness, ALineThatABackslashTakesIntoANameIsTold) {
 
 TEST(Strictness, CornersWithNothingBehindASlashAreReadLeniently) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (const std::string corner : {"1/", "1/1/", "1//"})
+  for (const std::string written : {"1/", "1/1/", "1//"})
     expect_passed_over(
-        {points + "f " + corner + " 2 3\n", MeshFormat::obj, 1, "nothing behind a slash", 1, 4, {}, corner},
+        {points + "f " + written + " 2 3\n", MeshFormat::obj, 1, "nothing behind a slash", 1, 4, {}, written},
         Strictness::lenient);
 }
 
