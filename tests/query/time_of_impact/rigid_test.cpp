@@ -257,7 +257,7 @@ TEST(RigidPoses, WhatIsNoTurnIsNamed) {
   EXPECT_EQ(said(RigidPose{{0, 0, 0, 0}, {0, 0, 0}}),
             "relate: sphere.pose.turn is zero, which is no turn; give Rotation{1, 0, 0, 0} for none");
   EXPECT_EQ(said(RigidPose{{1, 0, nan, 0}, {0, 0, 0}}).substr(0, 30), "relate: sphere.pose.turn.y is ");
-  EXPECT_EQ(said(RigidChain{{{}, {{1, 0, 0, 0}, {0, nan, 0}}}}).substr(0, 44),
+  EXPECT_EQ(said(RigidChain{{{}, {{1, 0, 0, 0}, {0, nan, 0}}}}).substr(0, 45),
             "relate: sphere.pose.links[1].translation.y is");
 }
 
