@@ -88,6 +88,7 @@ Json json_of_pose(const RigidChain& pose) {
 Json json_of_body(const BodyView& body) {
   Json json = body.is_hull() ? Json{{"vertices", json_of(body.vertices)}}
                              : query::with_figure(body.figure, [](const auto& s) { return json_of_figure(s); });
+  if (body.radius != 0) json["radius"] = json_of(body.radius);  // of a hull
   std::visit(
       [&]<class By>(const By& by) {
         if constexpr (requires { json_of_pose(*by); }) json["pose"] = json_of_pose(*by);

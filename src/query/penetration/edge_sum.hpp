@@ -44,7 +44,8 @@ class EdgeSum {
 
   template <class T>
   [[nodiscard]] SumParts<T> parts() const {
-    SumParts<T> p{};
+    const Vec<T> none{T(0.0), T(0.0), T(0.0)};
+    SumParts<T> p{{none, none, none, none, none, none}, none};
     std::array<bool, 6> is_begun{};
     for (const SumEdge& e : edges()) {
       const Vec<T> v = (e.body == 0 ? of_.a : of_.b).template edge<T>(e.bit);

@@ -16,7 +16,8 @@
 // exactly, against polygons of another length than zero; planes take those that are not singular: UnevenPose else.
 // A polygon that is not planar throws InvalidShape, by name.
 // Source: RTCD 3.2, 5.5, 5.5.6.
-// Cost: some 50 us for two boxes; of a polygon that of a segment for each edge, and rationals for the inside.
+// Cost: some 50 us for two boxes; of a polygon that of a segment for each edge, and rationals for the inside.  Bounded
+// by n^2 pairs of features for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/body/posed.hpp"
