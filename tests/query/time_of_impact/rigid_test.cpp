@@ -1,5 +1,5 @@
-// Exactly rigid poses, in every pair of the tables: a common one changes no relation, distance, hit or time, whatever its
-// numbers; where a matrix of doubles is the same move it tells the same, to the last bit; a chain is its composition.
+// Exactly rigid poses, in every pair of the tables: a common one changes no relation, distance, hit or time, whatever
+// its numbers; where a matrix of doubles is the same move it tells the same, to the last bit; a chain is its composition.
 #include <gtest/gtest.h>
 
 #include "figure/basic/thrown.hpp"
