@@ -1,5 +1,5 @@
-// Exactly rigid poses, in every pair of the tables: a common one changes no relation, distance, hit or time, whatever its
-// numbers; where a matrix of doubles is the same move it tells the same, to the last bit; a chain is its composition.
+// Exactly rigid poses, in every pair of the tables: a common one changes no relation, distance, hit or time, whatever
+// its numbers; where a matrix of doubles is the same move it tells the same, to the last bit; a chain is its composition.
 #include <gtest/gtest.h>
 
 #include "figure/basic/thrown.hpp"
@@ -257,7 +257,7 @@ TEST(RigidPoses, WhatIsNoTurnIsNamed) {
   EXPECT_EQ(said(RigidPose{{0, 0, 0, 0}, {0, 0, 0}}),
             "relate: sphere.pose.turn is zero, which is no turn; give Rotation{1, 0, 0, 0} for none");
   EXPECT_EQ(said(RigidPose{{1, 0, nan, 0}, {0, 0, 0}}).substr(0, 30), "relate: sphere.pose.turn.y is ");
-  EXPECT_EQ(said(RigidChain{{{}, {{1, 0, 0, 0}, {0, nan, 0}}}}).substr(0, 44),
+  EXPECT_EQ(said(RigidChain{{{}, {{1, 0, 0, 0}, {0, nan, 0}}}}).substr(0, 45),
             "relate: sphere.pose.links[1].translation.y is");
 }
 
