@@ -56,6 +56,7 @@
 #include "plumb/figure/aabb/box_batch.hpp"             // many pairs of boxes or balls at once
 #include "plumb/figure/aabb/box_forms.hpp"             // by least and greatest, by widths, by center
 #include "plumb/figure/aabb/climbing_aabb.hpp"         // of a convex polyhedron that turns
+#include "plumb/figure/aabb/posed_aabb.hpp"            // of a shape under any pose
 #include "plumb/figure/aabb/relation.hpp"              // do two meet?
 #include "plumb/figure/bound/choose_bound.hpp"         // the cheapest that culls enough
 #include "plumb/figure/bound/proxy.hpp"                // what collides in place of what is seen

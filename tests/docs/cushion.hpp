@@ -36,4 +36,4 @@ inline double support_value(const Cushion& s, const plumb::Vector3& direction, p
 
 /// It is the convex hull of its places, and all within its length of that.
 template <>
-inline constexpr bool plumb::is_rounded_hull<mine::Cushion> = true;
+inline constexpr bool plumb::is_rounded_hull<mine::Cushion> = plumb::hull_of_places<mine::Cushion>();

@@ -154,7 +154,6 @@ const std::map<std::string, std::string>& without_overload() {
       {"closest_parameter", "asked of what is known to be a line"},
       {"closest_point", "told by closest_points"},
       {"compare_distance", "a template over distance and exact_distance"},
-      {"contact_manifold", "of kinds that have no radius"},
       {"first_contact_span", "bounds of the time that first_contact tells"},
       {"gjk_bounds", "a template over support_point"}};
   return why;

@@ -13,6 +13,7 @@
 // Cost: none; exact_matrix some 5 ns.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -53,6 +54,11 @@ struct RigidChain2 {
   std::vector<RigidPose2> links;
   friend bool operator==(const RigidChain2&, const RigidChain2&) = default;
 };
+
+template <class By>
+concept PoseOfSpace = std::same_as<By, Pose> || std::same_as<By, RigidPose> || std::same_as<By, RigidChain>;
+template <class By>
+concept PoseOfPlane = std::same_as<By, Pose2> || std::same_as<By, RigidPose2> || std::same_as<By, RigidChain2>;
 
 /// The matrix of a turn times its weight, the square of the quaternion's length: all of them doubles, not rounded.
 struct TurnMatrix {

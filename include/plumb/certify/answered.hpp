@@ -9,6 +9,7 @@
 namespace plumb {
 
 enum class Sign : signed char;
+struct Point3;
 
 template <class Answer = Sign>
 PLUMB_NO_ANSWER(Answer,
@@ -34,10 +35,26 @@ PLUMB_NO_ANSWER(Answer,
                 "and a span of Sign to write to")
 insphere(PLUMB_ANYTHING) PLUMB_DELETED;
 
+template <class Answer = Point3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: approximate takes what is known exactly: an implicit or posed point, or what intersection, "
+                "closest points and contacts answer; the corners of a figure are doubles as they stand")
+approximate(PLUMB_ANYTHING) PLUMB_DELETED;
+
 /// No template, of which Clang would say it twice.
 PLUMB_NO_ANSWER(bool,
                 "plumb: nothing is printed by <<: print the coordinates, p.x and p.y, a number of the enumeration, or "
                 "what name_of and to_string say")
 operator<<(const arith::Anything&, const arith::Anything&) PLUMB_DELETED;
+
+PLUMB_NO_ANSWER(bool,
+                "plumb: - has no place between points and vectors, for it would round: rounded_difference(a, b) does "
+                "it by name; ask what is to be decided of the points themselves (orient3d, compare_distance)")
+operator-(const arith::Anything&, const arith::Anything&) PLUMB_DELETED;
+
+PLUMB_NO_ANSWER(bool,
+                "plumb: + has no place between points and vectors, for it would round: rounded_sum(p, v) does it by "
+                "name; ask what is to be decided of the points themselves (orient3d, compare_distance)")
+operator+(const arith::Anything&, const arith::Anything&) PLUMB_DELETED;
 
 }  // namespace plumb

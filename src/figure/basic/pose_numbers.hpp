@@ -35,6 +35,17 @@ struct PoseNumbers {
     return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
   }
   [[nodiscard]] arith::Vec<T> image(const arith::Vec<T>& p) const { return turned(p) + translation; }
+  /// The same, of one coordinate.
+  [[nodiscard]] T turned(const arith::Vec<T>& v, std::size_t axis) const {
+    return entry(axis, 0) * v.x + entry(axis, 1) * v.y + entry(axis, 2) * v.z;
+  }
+  [[nodiscard]] T image(const arith::Vec<T>& p, std::size_t axis) const {
+    return turned(p, axis) + coordinate(translation, axis);
+  }
+  [[nodiscard]] const T& entry(std::size_t row, std::size_t column) const { return coordinate(columns[column], row); }
+  [[nodiscard]] static const T& coordinate(const arith::Vec<T>& v, std::size_t axis) {
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+  }
 };
 
 /// A quaternion, w first.
@@ -164,25 +175,46 @@ class CertainPose {
   template <class View>
   explicit CertainPose(View pose) : balls_(pose_numbers<Ball>(pose)), pose_(pose) {}
 
-  [[nodiscard]] const PoseNumbers<Ball>& balls() const { return balls_; }
-  [[nodiscard]] const PoseNumbers<BigDyadic>& integers() const {
-    if (!integers_) integers_ = std::visit([](auto view) { return pose_numbers<BigDyadic>(view); }, pose_);
-    return *integers_;
+  /// The pose in numbers of type T, which is Ball or BigDyadic.
+  template <class T>
+  [[nodiscard]] const PoseNumbers<T>& in() const {
+    if constexpr (std::is_same_v<T, Ball>) {
+      return balls_;
+    } else {
+      if (!integers_) integers_ = std::visit([](auto view) { return pose_numbers<BigDyadic>(view); }, pose_);
+      return *integers_;
+    }
+  }
+  [[nodiscard]] bool is_matrix() const {
+    return balls_.weight.high == 1 && balls_.weight.low == 0 && balls_.weight.radius == 0;
   }
 
   /// numerator(numbers) over the weight, rounded.
   template <class F>
   [[nodiscard]] double rounded(Rounding rounding, F numerator) const {
     const Ball top = numerator(balls_);
-    const bool is_matrix = balls_.weight.high == 1 && balls_.weight.low == 0 && balls_.weight.radius == 0;
-    if (const auto quick = (is_matrix ? top : quotient(top, balls_.weight)).rounded(rounding)) return *quick;
-    return rounded_quotient(rounding, numerator(integers()), integers().weight);
+    if (const auto quick = (is_matrix() ? top : quotient(top, balls_.weight)).rounded(rounding)) return *quick;
+    const PoseNumbers<BigDyadic>& exact = in<BigDyadic>();
+    return rounded_quotient(rounding, numerator(exact), exact.weight);
   }
   /// The sign of what f makes of the numbers.
   template <class F>
   [[nodiscard]] Sign sign(F f) const {
     const Unsure<Sign> quick = f(balls_).sign();
-    return quick.certain() ? quick.value() : f(integers()).sign();
+    return quick.certain() ? quick.value() : f(in<BigDyadic>()).sign();
+  }
+
+  /// The columns times the weight, where these are doubles: of every matrix, and of turns of the lattice.
+  [[nodiscard]] std::optional<std::array<Vector3, 3>> columns() const {
+    std::array<Vector3, 3> made{};
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto& [x, y, z] = balls_.columns[j];
+      for (const Ball* b : {&x, &y, &z}) {
+        if (b->low != 0 || b->radius != 0) return {};
+      }
+      made[j] = {x.high, y.high, z.high};
+    }
+    return made;
   }
 
  private:

@@ -75,8 +75,8 @@ std::optional<Made<4>> quick_turn(const RigidChain& chain, bool asks_exact) {
   return made;
 }
 
-/// Of the multiple by the least power of two of which no part loses digits below the doubles, unless the largest would be
-/// beyond them.
+/// Rounds the multiple by the least power of two of which no part loses digits below the doubles, unless the largest
+/// would be beyond them.
 Made<4> turn_by_integers(const RigidChain& chain) {
   auto q = product_of<BigDyadic>(chain);
   long most = std::numeric_limits<long>::min(), least = std::numeric_limits<long>::max();  // exponents of bits

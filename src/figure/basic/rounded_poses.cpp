@@ -112,8 +112,8 @@ Numbers<N> image(std::string_view function, const PoseColumns<N>& m, const Numbe
 /// A number of the image, times the weight.
 template <bool Moved, class T, class Part>
 T image_number(const figure::PoseNumbers<T>& pose, const Part& part, std::size_t i) {
-  const arith::Vec<T> x = arith::vec<T>(part), y = Moved ? pose.image(x) : pose.turned(x);
-  return i == 0 ? y.x : i == 1 ? y.y : y.z;
+  const arith::Vec<T> x = arith::vec<T>(part);
+  return Moved ? pose.image(x, i) : pose.turned(x, i);
 }
 
 template <bool Moved, class View, class Part>

@@ -1,5 +1,7 @@
 #include "query/contact/aim.hpp"
 
+#include "query/penetration/quick_axis.hpp"
+#include "query/separation/corner_search.hpp"
 #include "query/separation/proved_corners.hpp"
 
 namespace plumb::query::touching {
@@ -15,20 +17,28 @@ DifferenceCorners guess_of(const Difference& d, const ContactCache* cache) {
   return guess;
 }
 
-parting::CoreDistance core_distance(const Difference& d, const DifferenceCorners& guess) {
+/// From a guess on, of which three corners start the search: it ends where there are four.
+parting::CoreDistance core_distance(const Difference& d, DifferenceCorners guess) {
   if (guess.size > 0) {
-    if (const auto proved = proved_nearest(d.a, d.b, guess)) return {proved->corners, proved->meets};
+    guess.size = std::min<std::size_t>(guess.size, 3);
+    std::uint32_t rounds = 0;
+    if (const auto proved = proved_nearest(d.a, d.b, guessed_nearest(d.a, d.b, guess, rounds))) {
+      return {proved->corners, proved->meets};
+    }
   }
   return parting::core_distance(d);
 }
 
 }  // namespace
 
-Aim aim_at(const Difference& d, ContactCache* cache) {
+Aim aim_at(const Difference& d, bool may_guess, ContactCache* cache) {
   if (d.a.is_sum() && d.b.is_sum()) {
-    const parting::SumParting s = parting::parted_sums(d);
-    if (s.known == parting::SumParting::Known::parting) {
-      return {s.parting->way, {s.level[0].first, s.level[1].first}, false, s.level, {}};
+    using Known = parting::SumParting::Known;
+    parting::SumParting s = parting::parted_sums(d);
+    if (s.known == Known::apart && may_guess && !s.parting) s = parting::plane_between(d).value_or(s);
+    if (s.known == Known::parting || (may_guess && s.parting)) {
+      const bool are_apart = s.known == Known::apart;
+      return {s.parting->way, {s.level[0].first, s.level[1].first}, are_apart, s.level, {}, !are_apart};
     }
   }
   const parting::CoreDistance core = core_distance(d, guess_of(d, cache));

@@ -21,8 +21,12 @@ struct Aim {
   bool are_apart;  // the cores
   std::optional<std::array<parting::SumLevel, 2>> level{};
   std::optional<std::array<parting::LevelCorners, 2>> all{};
+  bool is_proved = true;
 };
 
-Aim aim_at(const Difference& d, ContactCache* cache);
+/// `may_guess`: of sums of edges that are apart the answer may be a plane between them that holds a face or an edge of
+/// each.  It is proved where the points that are farthest have two that are straight ahead of one another; proved or
+/// not, the bodies are apart by no less.
+Aim aim_at(const Difference& d, bool may_guess, ContactCache* cache);
 
 }  // namespace plumb::query::touching

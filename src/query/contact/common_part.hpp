@@ -65,14 +65,14 @@ class Sides {
   Sides(const View<T>& of, const Vec<T>& out, const View<T>& other, CertainSigns& ask)
       : lines_(of.size() == 2 ? 3 : of.edges()), vertices_(other.size()), is_segment_(of.size() == 2) {
     for (std::size_t l = 0; l < of.edges(); ++l) {
-      const Vec<T> inward = cross(out, of.edge(l));
-      for (std::size_t j = 0; j < vertices_; ++j) sign_.push_back(ask(dot(inward, other.at[j] - of.at[l])));
+      const Vec<T> inward = sparse_cross(out, of.edge(l));
+      for (std::size_t j = 0; j < vertices_; ++j) sign_.push_back(ask(sparse_dot(inward, other.at[j] - of.at[l])));
     }
     if (of.size() != 2) return;
-    const Vec<T> along = cross(cross(out, of.edge(0)), out);
+    const Vec<T> along = sparse_cross(sparse_cross(out, of.edge(0)), out);
     for (std::size_t end = 0; end < 2; ++end) {
       for (std::size_t j = 0; j < vertices_; ++j) {
-        const Sign s = ask(dot(along, other.at[j] - of.at[end]));
+        const Sign s = ask(sparse_dot(along, other.at[j] - of.at[end]));
         sign_.push_back(end == 0 ? s : -s);
       }
     }

@@ -21,9 +21,8 @@ using namespace touching;  // NOLINT: all of it is of this question
 class Radii {
  public:
   Radii(std::string_view function, const BodyView& a, const BodyView& b) {
-    if (has_radius(a)) given_[0] = radius_of(a.figure);
-    if (has_radius(b)) given_[1] = radius_of(b.figure);
-    if ((given_[0] == 0 || a.pose == nullptr) && (given_[1] == 0 || b.pose == nullptr)) return;
+    given_ = {radius_of(a), radius_of(b)};
+    if ((given_[0] == 0 || a.pose.stands()) && (given_[1] == 0 || b.pose.stands())) return;
     const std::array<Body, 2> bodies = bodies_of(function, a, b);
     posed_ = {bodies[0].radius, bodies[1].radius};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -51,12 +50,18 @@ Vec<T> turned_back(const Vec<T>& v) {
 class Pair {
  public:
   Pair(std::string_view function, const BodyView& a, const BodyView& b, double margin, ContactCache* cache)
-      : views_{a, b},
-        corners_(corners_of(function, a, b)),
-        radii_(function, a, b),
-        aim_(aim_at(difference(), cache)),
-        known_(aim_.way.known(difference())),
-        margin_(margin) {}
+      : views_{a, b}, corners_(corners_of(function, a, b)), radii_(function, a, b), margin_(margin) {
+    aim(true, cache);
+  }
+  Pair(const Pair&) = delete;  // what is seen refers to it
+  Pair& operator=(const Pair&) = delete;
+  ~Pair() = default;
+
+  void aim(bool may_guess, ContactCache* cache) {
+    aim_.emplace(aim_at(difference(), may_guess, cache));
+    known_.emplace(aim_->way.known(difference()));
+  }
+  [[nodiscard]] bool is_proved() const { return aim_->is_proved; }
 
   [[nodiscard]] Difference difference() const { return {corners_[0], corners_[1]}; }
   [[nodiscard]] const Radii& radii() const { return radii_; }
@@ -65,29 +70,29 @@ class Pair {
   /// From a to b.
   template <class T>
   [[nodiscard]] Vec<T> normal() const {
-    return turned_back(aim_.way.along<T>(difference()));
+    return turned_back(aim_->way.along<T>(difference()));
   }
   /// How far the cores are apart along the normal, times its length.
   template <class T>
   [[nodiscard]] T height(const Vec<T>& normal) const {
-    return T(0.0) - dot(normal, difference().at<T>(aim_.at));
+    return T(0.0) - sparse_dot(normal, difference().at<T>(aim_->at));
   }
   [[nodiscard]] Seen seen(std::size_t i) const {
     return {views_[i],
             corners_[i],
-            aim_.at[i],
-            i == 0 ? known_.a : known_.b,
-            aim_.level ? &(*aim_.level)[i] : nullptr,
-            aim_.all ? &(*aim_.all)[i] : nullptr};
+            aim_->at[i],
+            i == 0 ? known_->a : known_->b,
+            aim_->level ? &(*aim_->level)[i] : nullptr,
+            aim_->all ? &(*aim_->all)[i] : nullptr};
   }
 
  private:
   std::array<BodyView, 2> views_;
   std::array<CoreCorners, 2> corners_;
   Radii radii_;
-  Aim aim_;
-  parting::KnownPlane known_;
   double margin_;
+  std::optional<Aim> aim_;
+  std::optional<parting::KnownPlane> known_;
 };
 
 /// The features that face each other, and the corners of what they have in common.
@@ -113,6 +118,32 @@ Matched matched(const Pair& pair) {
   if (!match<Running>(pair, m) && !match<Ball>(pair, m)) (void)match<BigDyadic>(pair, m);
   std::sort(m.corners.begin(), m.corners.end(), [](const Found& p, const Found& q) { return p.id < q.id; });
   return m;
+}
+
+/// Has a corner two points that are both as far as any, so that they are nearest?
+bool has_nearest(const Matched& m) {
+  const auto is_level = [&](std::size_t body, std::size_t i) {
+    const Seen& s = m.seen[body];
+    return (m.facing[body].corners[i] & ~s.level->free) == s.level->first;
+  };
+  const auto is_all_level = [&](std::size_t body) {
+    bool all = true;
+    for (std::size_t i = 0; i < m.facing[body].corners.size(); ++i) all = all && is_level(body, i);
+    return all;
+  };
+  const auto is_edge_level = [&](std::size_t body, std::size_t i) {
+    return is_level(body, i) && is_level(body, i + 1 == m.facing[body].corners.size() ? 0 : i + 1);
+  };
+  for (const Found& f : m.corners) {
+    const bool of_a = f.kind == CornerKind::vertex_of_b ? is_all_level(0)
+                      : f.kind == CornerKind::edges     ? is_edge_level(0, f.i)
+                                                        : is_level(0, f.i);
+    const bool of_b = f.kind == CornerKind::vertex_of_a ? is_all_level(1)
+                      : f.kind == CornerKind::edges     ? is_edge_level(1, f.j)
+                                                        : is_level(1, f.j);
+    if (of_a && of_b) return true;
+  }
+  return false;
 }
 
 /// The sign of height / whole * |normal| - limit, whole and limit not below zero.
@@ -143,7 +174,7 @@ class QuickNumbers {
   explicit QuickNumbers(const Pair& p)
       : pair_(p),
         normal_(p.normal<Ball>()),
-        length_(root(dot(normal_, normal_))),
+        length_(root(sparse_dot(normal_, normal_))),
         share_(quotient(Ball(1), length_)),
         radii_(Ball(p.radii().given(0)) + Ball(p.radii().given(1))),
         limit_(radii_ + Ball(p.margin())) {}
@@ -219,24 +250,26 @@ class ExactNumbers3 {
       : pair_(p),
         normal_(p.normal<BigDyadic>()),
         square_(dot(normal_, normal_)),
+        scale_(p.difference().a.scale<BigDyadic>()),
         radii_{p.radii().exact(0), p.radii().exact(1)},
         both_(radii_[0] + radii_[1]),
         limit_(both_ + mpq_class(p.margin())) {}
 
   [[nodiscard]] QuickNumbers::Whole whole() const {
     const BigDyadic height = pair_.height(normal_);
-    if (compare_with(height, square_, square_, limit_) == Sign::positive) return {false, Relation::disjoint, {}, 0};
+    const BigDyadic whole = square_ * scale_;
+    if (compare_with(height, whole, square_, limit_) == Sign::positive) return {false, Relation::disjoint, {}, 0};
     const auto unit = [&](const BigDyadic& x) {
       return rounded_radical(Rounding::nearest, BigDyadic(0.0), x, square_, square_) + 0.0;
     };
-    const Sign side = compare_with(height, square_, square_, both_);
+    const Sign side = compare_with(height, whole, square_, both_);
     return {true,
             static_cast<Relation>(-static_cast<int>(side)),
             {unit(normal_.x), unit(normal_.y), unit(normal_.z)},
-            distance(height, square_)};
+            distance(height, whole)};
   }
   [[nodiscard]] bool is_near(const CornerFractions<BigDyadic>& n) const {
-    return compare_with(n.height, n.whole, square_, limit_) != Sign::positive;
+    return compare_with(n.height, n.whole * scale_, square_, limit_) != Sign::positive;
   }
   [[nodiscard]] QuickNumbers::Corner corner(CornerFractions<BigDyadic> n, const ContactId& id) const {
     if (n.whole.sign() == Sign::negative) {
@@ -245,7 +278,9 @@ class ExactNumbers3 {
       n.on_a.numerator = none - n.on_a.numerator, n.on_b.numerator = none - n.on_b.numerator;
     }
     if (!is_near(n)) return {false, {}};
-    return {true, {at(n.on_a, n.whole, radii_[0]), at(n.on_b, n.whole, -radii_[1]), distance(n.height, n.whole), id}};
+    return {
+        true,
+        {at(n.on_a, n.whole, radii_[0]), at(n.on_b, n.whole, -radii_[1]), distance(n.height, n.whole * scale_), id}};
   }
 
  private:
@@ -256,12 +291,11 @@ class ExactNumbers3 {
   }
   /// x / whole + p / q normal / sqrt(square).
   [[nodiscard]] Point3 at(const PlaceOn<BigDyadic>& place, const BigDyadic& whole, const mpq_class& radius) const {
-    const BigDyadic p{mpz_class(radius.get_num())}, q{mpz_class(radius.get_den())};
+    const BigDyadic p{mpz_class(radius.get_num())}, q{mpz_class(radius.get_den())}, over = whole * scale_;
     const auto coordinate = [&](const BigDyadic& base, const BigDyadic& along, const BigDyadic& normal) {
       const BigDyadic x = base * whole + along * place.numerator;
-      if (sgn(radius) == 0) return rounded_quotient(Rounding::nearest, x, whole) + 0.0;
-      return rounded_radical(Rounding::nearest, x * q * square_, p * normal * whole, square_, whole * q * square_) +
-             0.0;
+      if (sgn(radius) == 0) return rounded_quotient(Rounding::nearest, x, over) + 0.0;
+      return rounded_radical(Rounding::nearest, x * q * square_, p * normal * over, square_, over * q * square_) + 0.0;
     };
     return {coordinate(place.base.x, place.along.x, normal_.x), coordinate(place.base.y, place.along.y, normal_.y),
             coordinate(place.base.z, place.along.z, normal_.z)};
@@ -269,7 +303,7 @@ class ExactNumbers3 {
 
   const Pair& pair_;
   Vec<BigDyadic> normal_;
-  BigDyadic square_;
+  BigDyadic square_, scale_;  // corners are so many times those of the bodies
   std::array<mpq_class, 2> radii_;
   mpq_class both_, limit_;
 };
@@ -336,21 +370,29 @@ void require_margin(std::string_view function, double margin) {
 std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, const ContactManifoldOptions& options,
                                           ContactCache* cache) {
   require_margin("contact", options.margin);
-  const Pair pair("contact", a, b, options.margin, cache);
-  const QuickNumbers quick(pair);
-  auto whole = quick.whole();
-  if (!whole) whole = ExactNumbers3(pair).whole();
-  if (!whole->is_near) return {};
-  std::optional<ContactManifold> m(std::in_place);
-  m->relation = whole->relation, m->normal = whole->normal, m->distance = whole->distance;
-  tell_corners(pair, quick, matched(pair), m->corners);
-  if (options.at_most > 0 && m->corners.size() > options.at_most) m->corners = widest(m->corners, options.at_most);
+  Pair pair("contact", a, b, options.margin, cache);
+  std::optional<ContactManifold> m;
+  const auto answer = [&] {
+    const QuickNumbers quick(pair);
+    auto whole = quick.whole();
+    if (!whole) whole = ExactNumbers3(pair).whole();
+    if (!whole->is_near) return true;
+    const Matched match = matched(pair);
+    if (!pair.is_proved() && !has_nearest(match)) return false;
+    m.emplace();
+    m->relation = whole->relation, m->normal = whole->normal, m->distance = whole->distance;
+    tell_corners(pair, quick, match, m->corners);
+    return true;
+  };
+  if (!answer()) pair.aim(false, cache), (void)answer();
+  if (m && options.at_most > 0 && m->corners.size() > options.at_most) m->corners = widest(m->corners, options.at_most);
   return m;
 }
 
 std::optional<ExactContact> exact_contact_of(const BodyView& a, const BodyView& b, double margin) {
   require_margin("exact_contact", margin);
-  const Pair pair("exact_contact", a, b, margin, nullptr);
+  Pair pair("exact_contact", a, b, margin, nullptr);
+  if (!pair.is_proved()) pair.aim(false, nullptr);
   const ExactNumbers3 numbers(pair);
   const QuickNumbers::Whole whole = numbers.whole();
   if (!whole.is_near) return {};

@@ -32,10 +32,10 @@ Vec<T> plane_normal(const View<T>& v, const Vec<T>& normal) {
   if (v.size() == 1) return normal;
   if (v.size() == 2) {
     const Vec<T> e = v.edge(0);
-    return normal * dot(e, e) - e * dot(e, normal);
+    return normal * sparse_dot(e, e) - e * sparse_dot(e, normal);
   }
   const std::size_t n = v.size();
-  return cross(v.at[n / 3] - v.at[0], v.at[n - n / 3] - v.at[0]);
+  return sparse_cross(v.at[n / 3] - v.at[0], v.at[n - n / 3] - v.at[0]);
 }
 
 template <class T>
@@ -48,18 +48,21 @@ class CornerPlaces {
     const T none(0.0);
     const Vec<T>&p = a_.at[f.i], &q = b_.at[f.j];
     if (f.kind == CornerKind::both_vertices) {
-      return {{p, normal_, none}, {q, normal_, none}, dot(normal_, normal_), dot(normal_, q - p)};
+      return {{p, normal_, none}, {q, normal_, none}, sparse_dot(normal_, normal_), sparse_dot(normal_, q - p)};
     }
     if (f.kind == CornerKind::vertex_of_b) {
-      const T height = dot(plane_a_, q - a_.at[0]);
-      return {{q, normal_, none - height}, {q, normal_, none}, dot(plane_a_, normal_), height};
+      const T height = sparse_dot(plane_a_, q - a_.at[0]);
+      return {{q, normal_, none - height}, {q, normal_, none}, sparse_dot(plane_a_, normal_), height};
     }
     if (f.kind == CornerKind::vertex_of_a) {
-      const T height = dot(plane_b_, b_.at[0] - p);
-      return {{p, normal_, none}, {p, normal_, height}, dot(plane_b_, normal_), height};
+      const T height = sparse_dot(plane_b_, b_.at[0] - p);
+      return {{p, normal_, none}, {p, normal_, height}, sparse_dot(plane_b_, normal_), height};
     }
-    const Vec<T> e = a_.edge(f.i), g = b_.edge(f.j), way = q - p, m = cross(e, g);
-    return {{p, e, dot(cross(g, normal_), way)}, {q, g, dot(cross(e, normal_), way)}, dot(m, normal_), dot(m, way)};
+    const Vec<T> e = a_.edge(f.i), g = b_.edge(f.j), way = q - p, m = sparse_cross(e, g);
+    return {{p, e, sparse_dot(sparse_cross(g, normal_), way)},
+            {q, g, sparse_dot(sparse_cross(e, normal_), way)},
+            sparse_dot(m, normal_),
+            sparse_dot(m, way)};
   }
 
  private:

@@ -10,12 +10,14 @@
 #pragma once
 
 #include "arith/certain.hpp"
+#include "arith/sparse_vec.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/contact/aim.hpp"
 #include "query/convex/features.hpp"
 
 namespace plumb::query::touching {
 
-using arith::Vec, arith::cross, arith::dot;
+using arith::Vec, arith::sparse_cross, arith::sparse_dot;
 using Index = std::uint32_t;
 using Corners = parting::ShortList<Index, 8>;
 
@@ -85,7 +87,7 @@ class FacingSearch {
     for (std::size_t k = 0; k < c_.ways(); ++k) {
       const Index bit = Index{1} << k;
       const bool is_level =
-          !c_.has_length(k) || s_.known.has(s_.at ^ bit) || ask_(dot(out_, c_.way<T>(k))) == Sign::zero;
+          !c_.has_length(k) || s_.known.has(s_.at ^ bit) || ask_(sparse_dot(out_, c_.way<T>(k))) == Sign::zero;
       if (is_level) l.free |= bit;
     }
     l.first &= ~l.free;
@@ -110,7 +112,7 @@ class FacingSearch {
     Sign side = Sign::zero;
   };
   bool is_better(Best& best, const Vec<T>& normal, const T& along) {
-    T square_along = along * along, square = dot(normal, normal);
+    T square_along = along * along, square = sparse_dot(normal, normal);
     if (best.along && ask_(square_along * *best.square - *best.along * square) != Sign::positive) return false;
     best.along = square_along, best.square = square;
     return true;
@@ -133,11 +135,11 @@ class FacingSearch {
     Best best;
     for (std::size_t m = 0; m < count; ++m) {
       const Index k = may[m], i = (k + 1) % 3, j = (k + 2) % 3;
-      const Vec<T> normal = cross(w[i], w[j]);
-      const T along = dot(normal, out_);
+      const Vec<T> normal = sparse_cross(w[i], w[j]);
+      const T along = sparse_dot(normal, out_);
       const Sign side = ask_(along);
       if (side == Sign::zero) continue;
-      if (!turn) turn = lengths == 7 ? ask_(dot(normal, w[k])) : Sign::zero;
+      if (!turn) turn = lengths == 7 ? ask_(sparse_dot(normal, w[k])) : Sign::zero;
       const Sign upper = (l.first >> k & 1) != 0 ? Sign::positive : Sign::negative;
       if (*turn != Sign::zero && side * *turn != upper) continue;
       if (count > 1 && !is_better(best, normal, along)) continue;
@@ -151,8 +153,9 @@ class FacingSearch {
   }
 
   void of_rectangle() {
-    const Sign side =
-        c_.has_length(0) && c_.has_length(1) ? ask_(dot(cross(c_.way<T>(0), c_.way<T>(1)), out_)) : Sign::zero;
+    const Sign side = c_.has_length(0) && c_.has_length(1)
+                          ? ask_(sparse_dot(sparse_cross(c_.way<T>(0), c_.way<T>(1)), out_))
+                          : Sign::zero;
     if (side == Sign::zero) return of_list(level());
     take({0, 1, 3, 2}, side == Sign::positive);
     f_.face = surface_feature(s_, FeatureKind::face, 0);
@@ -164,9 +167,9 @@ class FacingSearch {
     for (Index k = 0; k < 4; ++k) {
       if (std::ranges::find(l, k) != l.end()) continue;
       const auto [p, q, r] = others(k);
-      const Vec<T> normal = cross(at(q) - at(p), at(r) - at(p));
-      const T along = dot(normal, out_);
-      const Sign side = ask_(along), inner = ask_(dot(normal, at(k) - at(p)));
+      const Vec<T> normal = sparse_cross(at(q) - at(p), at(r) - at(p));
+      const T along = sparse_dot(normal, out_);
+      const Sign side = ask_(along), inner = ask_(sparse_dot(normal, at(k) - at(p)));
       if (side == Sign::zero || inner == side || !is_better(best, normal, along)) continue;
       best.which = k, best.side = side;
     }
@@ -182,11 +185,11 @@ class FacingSearch {
     if (c_.size() == 1) return of_list(level());
     if (c_.size() == 2) {
       const bool is_level = s_.known.has(0) && s_.known.has(1);
-      if (is_level || !is_none(cross(at(1) - at(0), out_))) return take_segment(0, 1);
+      if (is_level || !is_none(sparse_cross(at(1) - at(0), out_))) return take_segment(0, 1);
       return of_list(level());
     }
     if (c_.size() == 3) {
-      const Sign side = ask_(dot(cross(at(1) - at(0), at(2) - at(0)), out_));
+      const Sign side = ask_(sparse_dot(sparse_cross(at(1) - at(0), at(2) - at(0)), out_));
       if (side == Sign::zero) return of_list(level());
       take({0, 1, 2}, side == Sign::positive);
       f_.face = surface_feature(s_, FeatureKind::face, 0);
@@ -200,9 +203,9 @@ class FacingSearch {
     const ConvexPolyhedron3& solid = *c_.polyhedron();
     const PolygonMesh& m = solid.mesh;
     Sign handed = Sign::positive;
-    if (c_.pose() != nullptr) {
-      const auto& u = c_.pose()->columns;
-      handed = ask_(dot(arith::vec<T>(u[0]), cross(arith::vec<T>(u[1]), arith::vec<T>(u[2]))));
+    if (!c_.pose().stands()) {
+      const auto [u, v, w] = weighted_pose<T>(c_.pose()).columns;
+      handed = ask_(sparse_dot(u, sparse_cross(v, w)));
     }
     const Corners l = level();
     const auto is_level = [&](Index v) { return std::ranges::find(l, v) != l.end(); };
@@ -217,7 +220,7 @@ class FacingSearch {
       const int also = l.size() < 2 ? 0 : (is_level(before) ? 1 : 0) + (is_level(after) ? 1 : 0);
       if (also < most || (also == 0 && l.size() > 1)) continue;
       const Vec<T> normal = face_normal(m, face);
-      const T along = dot(normal, out_);
+      const T along = sparse_dot(normal, out_);
       if (ask_(along) != handed) continue;
       if (also > most) best = {}, most = also;
       if (!is_better(best, normal, along)) continue;
@@ -239,10 +242,10 @@ class FacingSearch {
   Vec<T> face_normal(const PolygonMesh& m, Index face) {
     const auto of = std::span(m.corners).subspan(m.first[face], m.first[face + 1] - m.first[face]);
     const Vec<T> p = at(of[0]);
-    Vec<T> u = at(of[1]) - p, v = at(of[2]) - p, sum = cross(u, v);
+    Vec<T> u = at(of[1]) - p, v = at(of[2]) - p, sum = sparse_cross(u, v);
     for (std::size_t i = 3; i < of.size(); ++i) {
       u = v, v = at(of[i]) - p;
-      sum = sum + cross(u, v);
+      sum = sum + sparse_cross(u, v);
     }
     return sum;
   }
@@ -253,7 +256,7 @@ class FacingSearch {
     f_.corners.clear(), f_.edges.clear();
     for (std::size_t i = 0; i < n; ++i) {
       const Vec<T> p = at(all.corners[(i + n - 1) % n]), q = at(all.corners[i]), r = at(all.corners[(i + 1) % n]);
-      if (ask_(dot(out_, cross(q - p, r - q))) == Sign::zero) continue;
+      if (ask_(sparse_dot(out_, sparse_cross(q - p, r - q))) == Sign::zero) continue;
       f_.corners.push_back(all.corners[i]), f_.edges.push_back(all.edges[i]);
     }
   }
@@ -285,7 +288,7 @@ class FacingSearch {
     }
     const Vec<T> from = at(s_.at);
     const auto judge = [&](Index i) {
-      if (i == s_.at || s_.known.has(i) || ask_(dot(out_, at(i) - from)) == Sign::zero) l.push_back(i);
+      if (i == s_.at || s_.known.has(i) || ask_(sparse_dot(out_, at(i) - from)) == Sign::zero) l.push_back(i);
     };
     if (c_.polyhedron() == nullptr) {
       for (Index i = 0; i < c_.size(); ++i) judge(i);
@@ -328,8 +331,9 @@ class FacingSearch {
           continue;
         }
         const Vec<T> way = at(*next) - at(from);
-        const Sign turn = ask_(dot(out_, cross(way, at(i) - at(from))));
-        if (turn == Sign::negative || (turn == Sign::zero && ask_(dot(way, at(i) - at(*next))) == Sign::positive))
+        const Sign turn = ask_(sparse_dot(out_, sparse_cross(way, at(i) - at(from))));
+        if (turn == Sign::negative ||
+            (turn == Sign::zero && ask_(sparse_dot(way, at(i) - at(*next))) == Sign::positive))
           next = i;
       }
       if (!next || !ask_.certain()) break;

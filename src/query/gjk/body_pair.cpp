@@ -73,8 +73,8 @@ Closest BodyPair::closest(const ProvedCorners& proved, WhichPair which) const {
   std::array<std::optional<ExactMap>, 2> maps;
   const auto seen = [&](std::size_t i) -> SeenFigure {
     if (views_[i].is_hull()) return {view_of(some), bodies_[i].radius};
-    if (views_[i].pose == nullptr) return {views_[i].figure, bodies_[i].radius};
-    maps[i] = exact_map(*views_[i].pose);
+    if (views_[i].pose.stands()) return {views_[i].figure, bodies_[i].radius};
+    maps[i] = exact_map(views_[i].pose);
     return {views_[i].figure, bodies_[i].radius, &*maps[i]};
   };
   Closest c = told_pair(pair, seen(0), seen(1));

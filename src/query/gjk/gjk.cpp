@@ -44,8 +44,9 @@ GjkStep step_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorn
     step.weight[i] = rounded(n.weight[i], n.whole);
     at = at + n.at[i] * n.weight[i];
   }
-  step.direction = {rounded(at.x, n.whole), rounded(at.y, n.whole), rounded(at.z, n.whole)};
-  step.square = rounded(n.square, n.square_whole);
+  const BigDyadic scale = a.scale<BigDyadic>(), whole = n.whole * scale;
+  step.direction = {rounded(at.x, whole), rounded(at.y, whole), rounded(at.z, whole)};
+  step.square = rounded(n.square, n.square_whole * (scale * scale));
   return step;
 }
 
@@ -104,7 +105,7 @@ bool is_real_but_of_solids(const CoreCorners& c) { return c.polyhedron() != null
 std::optional<CoreCorners> corners_at_once(const BodyView& v) {
   if (!v.is_hull() && is_one_of(v.figure.kind, {FigureKind::quadrilateral, FigureKind::polygon})) return {};
   if (const double radius = radius_of(v); radius != 0) {
-    if (!(radius >= 0 && radius < Ball::infinity) || (radius > 0 && v.pose != nullptr)) return {};
+    if (!(radius >= 0 && radius < Ball::infinity) || (radius > 0 && !is_rigid(v.pose))) return {};
   }
   auto corners = CoreCorners::of(v);
   if (corners && !is_real_but_of_solids(*corners)) return {};
@@ -194,7 +195,8 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
 
 double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   if (const auto d = apart_at_once(a, b, options)) return *d;
-  const auto p = corners_at_once(a), q = corners_at_once(b);
+  auto p = corners_at_once(a), q = corners_at_once(b);
+  if (p && q) bring_to_one_weight(*p, *q);
   if (options.history == nullptr && p && q) {
     if (const auto f = quickly_found({a, *p}, {b, *q}, options)) {
       remember(options, *p, *q, f->proved);
@@ -210,7 +212,8 @@ double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& opti
 
 GjkAnswer gjk_answer(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   if (const auto answer = answered_at_once(a, b, options)) return *answer;
-  const auto p = corners_at_once(a), q = corners_at_once(b);
+  auto p = corners_at_once(a), q = corners_at_once(b);
+  if (p && q) bring_to_one_weight(*p, *q);
   if (options.history == nullptr && p && q) {
     const auto f = quickly_found({a, *p}, {b, *q}, options);
     if (f && !f->proved.meets) {

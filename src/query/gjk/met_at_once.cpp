@@ -5,17 +5,21 @@
 
 #include "arith/certain.hpp"
 #include "arith/running_error.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/search.hpp"
 #include "query/gjk/quick_nearest.hpp"
 
 namespace plumb::query {
 namespace {
 
-Meeting meeting_of(const QuickNearest& n) {
-  if (!n.proved.meets) return Meeting::apart;
-  if (n.proved.corners.size == 4) return Meeting::overlap;
-  return n.is_parted ? Meeting::touch : Meeting::meet;
+Meeting meeting_of(const ProvedCorners& proved) {
+  return !proved.meets ? Meeting::apart : proved.corners.size == 4 ? Meeting::overlap : Meeting::meet;
+}
+
+DifferenceCorners corners_of(const GjkSimplex& simplex) {
+  DifferenceCorners corners;
+  for (std::uint32_t i = 0; i < simplex.size; ++i) corners.add(simplex.corners[i]);
+  return corners;
 }
 
 void keep(GjkCache& found, const QuickNearest& n) {
@@ -34,13 +38,12 @@ Meeting met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& found) {
   if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return Meeting::unsure;
   if (told == Told::meet) return found.simplex.size == 4 ? Meeting::overlap : Meeting::meet;
   if (!a.hull.is_given() || !b.hull.is_given()) return Meeting::unsure;
-  DifferenceCorners corners;
-  for (std::uint32_t i = 0; i < found.simplex.size; ++i) corners.add(found.simplex.corners[i]);
+  const DifferenceCorners corners = corners_of(found.simplex);
   auto n = certainly_proved(a.hull, b.hull, corners);
-  if (!n) n = quickly_nearest(a.hull, b.hull, nullptr);
+  if (!n) n = finely_nearest(a.hull, b.hull, corners);
   if (!n) return Meeting::unsure;
   keep(found, *n);
-  return meeting_of(*n);
+  return meeting_of(n->proved);
 }
 
 namespace {
@@ -84,31 +87,41 @@ bool set(QuickBody& body, std::optional<CoreCorners>& cut, const FigureView& fig
   return cut && body.hull.set(*cut);
 }
 
-Meeting met_at_once(const FigureView& a, const FigureView& b) {
-  const BodyView first{.figure = a}, second{.figure = b};
-  QuickBody p{first}, q{second};
-  std::optional<CoreCorners> part_of_a, part_of_b;
-  GjkCache found;
-  return set(p, part_of_a, a, b) && set(q, part_of_b, b, a) ? met_at_once(p, q, found) : Meeting::unsure;
-}
+/// Two figures, of which one is a polyhedron.
+struct FigurePair {
+  BodyView view_of_a, view_of_b;
+  QuickBody a{view_of_a}, b{view_of_b};
+  std::optional<CoreCorners> part_of_a = {}, part_of_b = {};
+  GjkCache found = {};
+
+  Meeting met() {
+    const FigureView &p = view_of_a.figure, &q = view_of_b.figure;
+    return set(a, part_of_a, p, q) && set(b, part_of_b, q, p) ? met_at_once(a, b, found) : Meeting::unsure;
+  }
+};
 
 }  // namespace
 
 std::optional<Relation> relate_by_search(const FigureView& a, const FigureView& b) {
-  switch (met_at_once(a, b)) {
+  FigurePair pair{.view_of_a{.figure = a}, .view_of_b{.figure = b}};
+  switch (pair.met()) {
     case Meeting::apart:
       return Relation::disjoint;
-    case Meeting::touch:
-      return Relation::touching;
     case Meeting::overlap:
       return Relation::overlapping;
+    case Meeting::meet:
+      if (pair.a.hull.is_given() && pair.b.hull.is_given() &&
+          are_parted(pair.a.hull, pair.b.hull, corners_of(pair.found.simplex)))
+        return Relation::touching;
+      return {};
     default:
       return {};
   }
 }
 
 std::optional<bool> meet_by_search(const FigureView& a, const FigureView& b) {
-  const Meeting met = met_at_once(a, b);
+  FigurePair pair{.view_of_a{.figure = a}, .view_of_b{.figure = b}};
+  const Meeting met = pair.met();
   if (met == Meeting::unsure) return {};
   return met != Meeting::apart;
 }

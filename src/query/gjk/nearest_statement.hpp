@@ -43,9 +43,9 @@ struct Asked {
 
 /// What these corners of the difference are to the origin, and what else lies in the planes through the nearest points.
 struct Nearness {
-  bool is_so = false;              // each of them is needed, and nothing is nearer
-  bool meets = false;              // they hold the origin, strictly within their hull
-  bool is_parted = false;          // a plane that they span, through the origin, has a on one side and b on the other
+  bool is_so = false;     // the nearest point of their plane is within their hull, and nothing is nearer
+  bool meets = false;     // it is the origin
+  unsigned positive = 0;  // the corners that it needs; where it is not the origin and not all are needed, not so
   std::array<bool, 2> is_level{};  // of a, of b: there are others in the planes
 };
 
@@ -86,37 +86,55 @@ struct AreNearest {
     const V d = corner(0);
     if constexpr (count == 1) {
       if constexpr (!is_strict) {
-        if (is_zero(d)) return {true, true};
+        if (is_zero(d)) return {true, true, 1};
       }
       return beside(w, d, true, a, b);
     } else {
       const auto u = less(corner(1), d);
       if constexpr (count == 2) {
         const auto along = product(u, d);  // below zero, and above minus the square of u
-        if (!is_negative(along) || !is_positive(product(u, u) + along)) return {};
+        const auto rest = product(u, u) + along;
+        if constexpr (is_strict) {
+          if (!is_negative(along) || !is_positive(rest)) return {};
+        }
         const auto turn = crossed(d, u);
         if constexpr (!is_strict) {
-          if (is_zero(turn)) return {true, true};
+          const Nearness weights = needed(std::array{w.sign(rest), -w.sign(along)});
+          if (weights.positive != 0 && is_zero(turn)) return {true, true, weights.positive};
+          if (!weights.is_so) return weights;
         }
         return beside(w, crossed(u, turn), true, a, b);
       } else {
         const auto v = less(corner(2), d);
         const auto normal = crossed(u, v);
         const auto second = product(crossed(d, v), normal), third = product(crossed(u, d), normal);
-        if (!is_negative(second) || !is_negative(third) || !is_positive(product(normal, normal) + second + third))
-          return {};
-        const Sign side = w.sign(product(normal, d));
-        if (side != Sign::zero) return beside(w, normal, side == Sign::positive, a, b);
+        const auto rest = product(normal, normal) + second + third;
         if constexpr (is_strict) {
-          return {};
+          if (!is_negative(second) || !is_negative(third) || !is_positive(rest)) return {};
         } else {
-          const bool is_parted = beside(w, normal, true, a, b).is_so || beside(w, normal, false, a, b).is_so;
-          return {true, true, is_parted};
+          const Nearness weights = needed(std::array{w.sign(rest), -w.sign(second), -w.sign(third)});
+          if (weights.positive == 0) return {};
+          const Sign side = w.sign(product(normal, d));
+          if (side == Sign::zero) return {true, true, weights.positive};
+          return weights.is_so ? beside(w, normal, side == Sign::positive, a, b) : weights;
         }
+        const Sign side = w.sign(product(normal, d));
+        return side != Sign::zero ? beside(w, normal, side == Sign::positive, a, b) : Nearness{};
       }
     }
   }
 
+  /// By the signs of the weights, which are not all zero of corners that are independent.
+  template <std::size_t n>
+  static Nearness needed(const std::array<Sign, n>& weights) {
+    Nearness r{true};
+    for (std::size_t i = 0; i < n; ++i) {
+      if (weights[i] == Sign::negative) return {};
+      if (weights[i] == Sign::positive) r.positive |= 1U << i;
+      r.is_so = r.is_so && weights[i] == Sign::positive;
+    }
+    return r;
+  }
   /// Is all of a farther along than its plane, and all of b less far than its own, or in them where they may be?
   /// `forth`: or the other way.
   template <class W, class Way>
@@ -126,7 +144,7 @@ struct AreNearest {
     if (of_a == Sign::negative || (is_strict && of_a == Sign::zero)) return {};
     const Sign of_b = side_of(w, way, !forth, b);
     if (of_b == Sign::negative || (is_strict && of_b == Sign::zero)) return {};
-    return {true, false, false, {of_a == Sign::zero, of_b == Sign::zero}};
+    return {true, false, 0, {of_a == Sign::zero, of_b == Sign::zero}};
   }
   /// Positive where all are on the side where they are to be.
   template <class W, class Way>
@@ -154,6 +172,38 @@ struct AreNearest {
       });
       return least;
     }
+  }
+};
+
+/// Of three corners whose plane holds the origin: is all of a on one side of it and all of b on the other, or in it?
+struct AreParted {
+  static constexpr int highest = 3;
+  static constexpr Scales scales{.count = 2};
+
+  template <class W>
+  bool operator()(W& w, const Pairs& p, const Asked& a, const Asked& b) const {
+    const auto corner = [&](std::size_t i) {
+      return std::array{w.difference(p.a[i].x, p.b[i].x), w.difference(p.a[i].y, p.b[i].y),
+                        w.difference(p.a[i].z, p.b[i].z)};
+    };
+    const auto d = corner(0), e = corner(1), f = corner(2);
+    const std::array u{e[0] - d[0], e[1] - d[1], e[2] - d[2]}, v{f[0] - d[0], f[1] - d[1], f[2] - d[2]};
+    const std::array n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    std::array<bool, 2> ahead{}, behind{};
+    const auto see = [&](std::size_t of, const Asked& asked) {
+      const Point3& ref = asked.at[asked.in_plane[0]];
+      asked.each([&](const Point3& q) {
+        if (ahead[of] && behind[of]) return;
+        const Sign s =
+            w.sign(n[0] * w.template difference<1>(q.x, ref.x) + n[1] * w.template difference<1>(q.y, ref.y) +
+                   n[2] * w.template difference<1>(q.z, ref.z));
+        ahead[of] = ahead[of] || s == Sign::positive, behind[of] = behind[of] || s == Sign::negative;
+      });
+    };
+    see(0, a);
+    if (ahead[0] && behind[0]) return false;
+    see(1, b);
+    return !(ahead[1] && behind[1]) && !(ahead[0] && ahead[1]) && !(behind[0] && behind[1]);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "arith/double_double.hpp"
 #include "arith/twofold.hpp"
 #include "certify/fused.hpp"
 #include "query/body/vectors.hpp"
@@ -89,7 +90,9 @@ struct InDoubles {
 template <int count>
 struct Certainly {
   Nearness operator()(const Pairs& pairs, const Asked& a, const Asked& b) const {
-    return certainly(AreNearest<count, false>{}, pairs, a, b);
+    using Statement = AreNearest<count, false>;  // doubles tell nothing of what touches
+    return certify::one_lane::ask_worlds<PairWorld<Statement>, IntegerWorld, RationalWorld>(NoWorldRecorder{},
+                                                                                            Statement{}, pairs, a, b);
   }
 };
 
@@ -122,7 +125,7 @@ class Search {
     DifferenceCorners corners;
     for (std::uint32_t i = 0; i < simplex.size(); ++i) corners.add(simplex[i].ends);
     std::optional<QuickNearest> found = proved(a_, b_, corners);
-    if (!found) found = certainly_proved(a_, b_, corners);
+    if (!found && (found = certainly_proved(a_, b_, corners), !found)) found = finely_nearest(a_, b_, corners);
     if (found) found->way = n, found->steps = static_cast<std::uint32_t>(rounds);
     return found;
   }
@@ -139,12 +142,101 @@ class Search {
     if (are_around_origin(a_, b_, corners))
       return QuickNearest{{all, true, false, {}, {}}, {}, {}, {0, 0, 0}, static_cast<std::uint32_t>(rounds)};
     auto found = certainly_proved(a_, b_, all);
+    if (!found) found = finely_nearest(a_, b_, all);
     if (found) found->steps = static_cast<std::uint32_t>(rounds);
     return found;
   }
 
   const QuickHull &a_, &b_;
   GjkCorner last_{};
+};
+
+QuickNearest answered(NearestQuestion& ask, const Nearness& n) {
+  ProvedCorners& p = ask.found.proved;
+  p.a.level = n.is_level[0] ? 1 : 0, p.b.level = n.is_level[1] ? 1 : 0;
+  return ask.told();
+}
+
+QuickNearest held_by(const DifferenceCorners& corners) {
+  return {{corners, true, false, {}, {}}, {}, {}, {0, 0, 0}, 1};
+}
+
+/// Of the bits of a mask those whose places among them `which` names.
+unsigned part_of(unsigned mask, unsigned which) {
+  unsigned part = 0;
+  for (unsigned place = 0; mask != 0; mask &= mask - 1, ++place) {
+    if ((which >> place & 1) != 0) part |= mask & (~mask + 1);
+  }
+  return part;
+}
+
+/// Of what all but touches the nearest point is too near for doubles to tell its direction: the same search in
+/// double-doubles.
+class FineSearch {
+ public:
+  FineSearch(const QuickHull& a, const QuickHull& b) : a_(a), b_(b) {}
+
+  std::optional<QuickNearest> run(const DifferenceCorners& from) {
+    constexpr int most_rounds = 16;  // a guess: whoever has not ended by then goes round
+    std::array<FineCorner, 4> known;
+    for (std::size_t i = 0; i < from.size; ++i) known[i] = corner(from.ends[i]);
+    FineDirected simplex(known[0]);
+    bool is_around = false;
+    for (int round = 0; round < most_rounds && !is_around; ++round) {
+      const FineVec n = simplex.direction();
+      const auto is_before = [&](const FineCorner& p, const FineCorner& q) { return dot(p.at, n) < dot(q.at, n); };
+      FineCorner next =
+          *std::min_element(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(from.size), is_before);
+      if (simplex.has(next.ends) || !(dot(next.at, n) < dot(simplex[0].at, n))) {
+        const GjkCorner& last = simplex[0].ends;
+        next = corner({least(a_, n, last[0], 1), least(b_, n, last[1], -1)});
+        if (simplex.has(next.ends) || !(dot(next.at, n) < dot(simplex[0].at, n))) break;
+      }
+      is_around = simplex.add(next);
+    }
+    DifferenceCorners corners;
+    for (std::uint32_t i = 0; i < simplex.size(); ++i) corners.add(simplex[i].ends);
+    auto found = certainly_proved(a_, b_, corners);
+    const FineVec n = simplex.direction();
+    if (found) found->way = {n.x.high, n.y.high, n.z.high};
+    return found;
+  }
+
+ private:
+  using Fine = arith::DoubleDouble;
+  using FineVec = arith::Vec<Fine>;
+  using FineCorner = gjk_search::CornerOf<Fine>;
+  using FineDirected = gjk_search::DirectedOf<Fine>;
+
+  [[nodiscard]] FineCorner corner(const GjkCorner& ends) const {
+    return {ends, arith::vec<Fine>(a_.given(ends[0])) - arith::vec<Fine>(b_.given(ends[1]))};
+  }
+  /// The least along `side` times n, from what doubles take for it.
+  static std::uint32_t least(const QuickHull& h, const FineVec& n, std::uint32_t near, double side) {
+    const Plain back{-side * n.x.high, -side * n.y.high, -side * n.z.high};
+    std::uint32_t best = h.farthest(back, near);
+    const auto is_less = [&](std::uint32_t i) {
+      const FineVec way = arith::vec<Fine>(h.given(i)) - arith::vec<Fine>(h.given(best));
+      return (dot(way, n) * Fine(side)).high < 0;
+    };
+    if (h.solid() == nullptr) {
+      for (std::uint32_t i = 0; i < h.size(); ++i) {
+        if (i != best && is_less(i)) best = i;
+      }
+      return best;
+    }
+    constexpr int most_steps = 64;  // a guess: roundings may go round
+    bool better = true;
+    for (int step = 0; better && step < most_steps; ++step) {
+      better = false;
+      for (const std::uint32_t i : h.solid()->neighbors_of(best)) {
+        if (is_less(i)) best = i, better = true;
+      }
+    }
+    return best;
+  }
+
+  const QuickHull &a_, &b_;
 };
 
 template <class T>
@@ -295,23 +387,34 @@ PLUMB_WITHOUT std::optional<Closest> points_plain(const Pairs& p, std::size_t si
 
 std::optional<QuickNearest> certainly_proved(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
   if (!a.is_finite() || !b.is_finite()) return {};
-  if (corners.size == 4 && certainly(gjk_origin::IsAroundOrigin{}, pairs_of(a, b, corners)))
-    return QuickNearest{{corners, true, false, {}, {}}, {}, {}, {0, 0, 0}, 1};
+  if (corners.size == 4 && certainly(gjk_origin::IsAroundOrigin{}, pairs_of(a, b, corners))) return held_by(corners);
   const unsigned end = 1U << corners.size;
+  unsigned known = 0;  // those that others were asked of
   for (int size = static_cast<int>(std::min<std::size_t>(corners.size, 3)); size > 0; --size) {
     for (unsigned mask = 1; mask < end; ++mask) {
-      if (std::popcount(mask) != size) continue;
-      NearestQuestion ask(a, b, corners.part(mask));
-      const Nearness n = ask.asked<Certainly>();
-      if (!n.is_so) continue;
-      ProvedCorners& p = ask.found.proved;
-      p.meets = n.meets, p.a.level = n.is_level[0] ? 1 : 0, p.b.level = n.is_level[1] ? 1 : 0;
-      QuickNearest r = ask.told();
-      r.is_parted = n.is_parted;
-      return r;
+      if (std::popcount(mask) != size || (known >> mask & 1) != 0) continue;
+      for (unsigned needed = mask; needed != 0;) {  // ends, for they are fewer each time
+        NearestQuestion ask(a, b, corners.part(needed));
+        const Nearness n = ask.asked<Certainly>();
+        known |= 1U << needed;
+        if (n.meets) return held_by(corners.part(part_of(needed, n.positive)));
+        if (n.is_so) return answered(ask, n);
+        needed = std::popcount(n.positive) < std::popcount(needed) ? part_of(needed, n.positive) : 0;
+      }
     }
   }
   return {};
+}
+
+bool are_parted(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
+  if (corners.size != 3) return false;
+  const NearestQuestion ask(a, b, corners);
+  return certainly(gjk_origin::AreParted{}, ask.pairs, ask.a, ask.b);
+}
+
+std::optional<QuickNearest> finely_nearest(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners) {
+  if (corners.size == 0 || !a.is_finite() || !b.is_finite()) return {};
+  return FineSearch(a, b).run(corners);
 }
 
 std::optional<QuickNearest> quickly_nearest(const QuickHull& a, const QuickHull& b, const GjkCache* cache) {

@@ -21,12 +21,16 @@ struct QuickNearest {
   NamedCorners of_a, of_b;  // where they do not meet
   arith::Plain way;         // from b to a, about
   std::uint32_t steps;
-  bool is_parted = false;  // where they meet: for certain a plane has either on a side of its own
 };
 
 /// Of hulls as given: is the nearest point that of some of these corners?  For certain, by all of them or fewer; nothing
 /// where none of them are, or where a number is none.
 std::optional<QuickNearest> certainly_proved(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners);
+
+/// Of hulls as given: has a plane that three such corners span, which hold the origin, either hull on a side of its own?
+bool are_parted(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners);
+/// The search from these corners on, in double-doubles: of what all but touches.
+std::optional<QuickNearest> finely_nearest(const QuickHull& a, const QuickHull& b, const DifferenceCorners& corners);
 
 /// From the corners of a cache, where there is one: a guess, and may be any.
 std::optional<QuickNearest> quickly_nearest(const QuickHull& a, const QuickHull& b, const GjkCache* cache);

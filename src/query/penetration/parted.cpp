@@ -44,7 +44,8 @@ Way back_from(const Difference& d, const DifferenceCorners& nearest) {
 Sign compare_with_radii(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic, Sought::square>(d.a, d.b, nearest, ask);
-  return sign_of_number(cmp(gmp_number(n.square), radii * radii * gmp_number(n.square_whole)));
+  const BigDyadic scale = d.a.scale<BigDyadic>();
+  return sign_of_number(cmp(gmp_number(n.square), radii * radii * gmp_number(n.square_whole * (scale * scale))));
 }
 
 FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets) {

@@ -13,11 +13,12 @@
 
 namespace plumb::query {
 
-inline bool is_posed_view(const PosedView& v) { return v.in_space != nullptr || v.in_plane != nullptr; }
+inline bool is_posed_view(const PosedView& v) { return !v.pose.stands(); }
 /// Of a triangle of space under a matrix, which has questions of its own.
 inline std::optional<Posed<Triangle3>> posed_triangle(const PosedView& v) {
-  if (v.figure.kind != FigureKind::triangle || v.in_space == nullptr) return {};
-  return Posed<Triangle3>{*static_cast<const Triangle3*>(v.figure.shape), *v.in_space};
+  const auto* matrix = std::get_if<const Pose*>(&v.pose.by);
+  if (v.figure.kind != FigureKind::triangle || matrix == nullptr) return {};
+  return Posed<Triangle3>{*static_cast<const Triangle3*>(v.figure.shape), **matrix};
 }
 
 inline void require_related(std::string_view question, const FigureView& a, const FigureView& b) {

@@ -11,7 +11,7 @@ double any_distance(const PosedView& a, const PosedView& b, Question question) {
   if (b.figure.kind < a.figure.kind) return any_distance(b, a, question);
   return asked_in_order<double>(
       name_of(question), a.figure,
-      b.figure, [question](const auto& x, const auto& y) requires requires { distance(x, y); } {
+      b.figure, [question](const auto& x, const auto& y) requires requires { distance_as(Question::distance, x, y); } {
         return distance_as(question, x, y);
       });
 }

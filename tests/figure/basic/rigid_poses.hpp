@@ -114,7 +114,7 @@ inline RigidPose2 pose2(Entropy& entropy) {
   return pose2(static_cast<TurnKind>(entropy.below(turn_kind_count)), entropy);
 }
 
-/// Of up to four links, perhaps none.
+/// A chain has up to four links, perhaps none.
 inline RigidChain chain(Entropy& entropy) {
   RigidChain made;
   for (std::uint64_t left = entropy.below(5); left > 0; --left) made.links.push_back(pose(entropy));

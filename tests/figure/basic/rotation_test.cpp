@@ -61,15 +61,15 @@ TEST(TurnLattice, HasNoQuaternionWhoseWeightIsRounded) {
   EXPECT_FALSE(exact_matrix(Rotation{0x1p-25 * 94906265, 0x1p-25 * 10884, 0x1p-25 * 136, 0x1p-25 * 104}));
 }
 
-mpq_class squared_distance(const Rotation& a, const Rotation& b) {
-  // Of the angle between both, tan^2 of its half: the square of the vector part of the quotient over the scalar part's.
+mpq_class squared_tangent(const Rotation& a, const Rotation& b) {
+  // The tangent is that of half the angle between both: the vector part of the quotient over the scalar part.
   const mpq_class aw(a.w), ax(a.x), ay(a.y), az(a.z), bw(b.w), bx(b.x), by(b.y), bz(b.z);
   const mpq_class scalar = aw * bw + ax * bx + ay * by + az * bz;
   const mpq_class all = (aw * aw + ax * ax + ay * ay + az * az) * (bw * bw + bx * bx + by * by + bz * bz);
   return (all - scalar * scalar) / (scalar * scalar);
 }
 
-bool is_same(const Rotation& a, const Rotation& b) { return squared_distance(a, b) == 0; }
+bool is_same(const Rotation& a, const Rotation& b) { return squared_tangent(a, b) == 0; }
 
 TEST(OnTurnLattice, IsNearAndSaysHowNear) {
   int exact = 0, near = 0;
@@ -80,7 +80,7 @@ TEST(OnTurnLattice, IsNearAndSaysHowNear) {
     const auto [made, off] = on_turn_lattice(q);
     ASSERT_TRUE(exact_matrix(made)) << about;
     EXPECT_LE(off, 0x1p-23) << about;
-    const mpq_class tangent2 = squared_distance(q, made), half = mpq_class(off) / 2;
+    const mpq_class tangent2 = squared_tangent(q, made), half = mpq_class(off) / 2;
     // The arc is at least t - t^3 / 3, and not longer than t.
     EXPECT_LE(tangent2 * (1 - tangent2 / 3) * (1 - tangent2 / 3), half * half) << about;
     EXPECT_LE(off, 2 * std::sqrt(tangent2.get_d()) * (1 + 0x1p-20) + 0x1p-49) << about;
@@ -138,7 +138,7 @@ TEST(Rotation, IsByTheAngleThatWasAsked) {
     const auto [made, off] = rotation(axis, angle);
     ASSERT_TRUE(exact_matrix(made)) << about;
     EXPECT_LE(off, 0x1p-23) << about;
-    // With the length of the axis within 2^-200 of itself; then the quotient of what is asked and what is made.
+    // The length of the axis is known within 2^-200 of itself; what counts is the quotient of what is asked and made.
     const mpq_class ax(axis.x), ay(axis.y), az(axis.z);
     const mpq_class square = ax * ax + ay * ay + az * az;
     const mpz_class unit = mpz_class(1) << 2400;
@@ -210,7 +210,7 @@ TEST(NearestRotation, IsNearAndSaysHowNear) {
     if (!bent) {
       ASSERT_TRUE(near) << about;
       EXPECT_LE(near->off, 0x1p-23) << about;
-      EXPECT_LE(squared_distance(near->turn, q), mpq_class(0x1p-48)) << about;
+      EXPECT_LE(squared_tangent(near->turn, q), mpq_class(0x1p-48)) << about;
     }
     if (!near) continue;
     EXPECT_LE(squared_difference(pose, near->turn), mpq_class(near->off) * mpq_class(near->off)) << about;
@@ -262,7 +262,7 @@ TEST(NearestRotation, OfThePlaneIsNear) {
     ASSERT_TRUE(near) << about;
     EXPECT_LE(near->off, 0x1p-23) << about;
     const auto asked = rotation(angle).turn;
-    EXPECT_LE(squared_distance({near->turn.w, 0, 0, near->turn.z}, {asked.w, 0, 0, asked.z}), mpq_class(0x1p-46))
+    EXPECT_LE(squared_tangent({near->turn.w, 0, 0, near->turn.z}, {asked.w, 0, 0, asked.z}), mpq_class(0x1p-46))
         << about;
     EXPECT_LE(squared_difference(space, {near->turn.w, 0, 0, near->turn.z}),
               mpq_class(near->off) * mpq_class(near->off))

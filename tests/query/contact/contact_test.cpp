@@ -7,8 +7,10 @@
 #include <cstdio>
 
 #include "certify/sanitized.hpp"
+#include "plumb/degenerate/entropy.hpp"
 #include "plumb/query/gjk/gjk.hpp"
 #include "plumb/query/penetration/penetration.hpp"
+#include "query/body/rigid_cases.hpp"
 #include "query/contact/facing.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
@@ -187,6 +189,14 @@ void expect_contact(const AnyBody& va, const AnyBody& vb, Material& draw, Counts
   for (std::size_t i = 0; part && i < part->corners.size(); ++i) EXPECT_LE(part->corners[i].distance, margin) << about;
 }
 
+AnyBody under_rigid(AnyBody body, const RigidPose& by) {
+  const auto pose = std::make_shared<const RigidPose>(by);
+  body.shape = std::make_shared<const std::pair<std::shared_ptr<const void>, std::shared_ptr<const RigidPose>>>(
+      body.shape, pose);
+  body.view.pose = pose.get();
+  return body;
+}
+
 TEST(Contact, OfEveryKindIsWhatExactSetsHaveInCommon) {
   Counts counts;
   std::uint64_t start = 44'000;
@@ -197,6 +207,8 @@ TEST(Contact, OfEveryKindIsWhatExactSetsHaveInCommon) {
         AnyBody a = first(m), b = second(m);
         if (m.below(4) == 0) a = under(a, pair_cases::whole_pose(m));
         if (m.below(4) == 0) b = under(b, pair_cases::regular_pose(m));
+        if (m.below(4) == 0) a = under_rigid(a, pair_cases::rigid_pose(m, m.below(2) == 0));
+        if (m.below(4) == 0) b = under_rigid(b, pair_cases::rigid_pose(m, m.below(2) == 0));
         expect_contact(a, b, m, counts, name_of(a.view) + " and " + name_of(b.view) + " " + m.about());
       });
     }
@@ -246,6 +258,168 @@ TEST(Contact, OfFlushBodiesOfAGrid) {
               counts.overlapping, counts.points, counts.several);
   if (battery::sanitized) return;
   EXPECT_GE(std::min({counts.apart, counts.touching, counts.overlapping, counts.points, counts.several}), 40);
+}
+
+/// A box turned by some angles, whose axes are those of rounded cosines.
+Obb3 turned_box(const Point3& center, double yaw, double pitch, const Vector3& half) {
+  const double c = std::cos(yaw), s = std::sin(yaw), d = std::cos(pitch), t = std::sin(pitch);
+  return {center, {Vector3{c, 0, -s}, Vector3{s * t, d, c * t}, Vector3{s * d, -t, c * d}}, half};
+}
+
+std::vector<ContactId> ids_of(const ContactManifold& m) {
+  std::vector<ContactId> ids;
+  for (const ContactCorner& c : m.corners) ids.push_back(c.id);
+  return ids;
+}
+
+/// Frame by frame, with the noise of a solver: the box sinks in and comes out, slides, spins and is tilted.
+TEST(Contact, IdsPersistAndNormalsDoNotFlip) {
+  const Obb3 slope = turned_box({0, 0, 0}, 0.4, 0.3, {20, 0.5, 20});
+  const Aabb3 ground{{-20, -1, -20}, {20, 0, 20}};
+  std::array<int, 3> seen{};  // apart, touching, overlapping
+  Entropy entropy(44, 1);
+  const auto noise = [&](double size) { return size * (static_cast<double>(entropy.bits(53)) * 0x1p-52 - 1); };
+  const auto run = [&](const auto& on, const auto& box_at, const Vector3& down, int frames, const char* what) {
+    ContactCache cache;
+    std::optional<std::vector<ContactId>> ids;
+    int changes = 0;
+    for (int frame = 0; frame < frames; ++frame) {
+      const Obb3 box = box_at(frame);
+      const auto m = contact(box, on, {.margin = 0.01}, &cache);
+      ASSERT_TRUE(m) << what << frame;
+      EXPECT_EQ(m, contact(box, on, {.margin = 0.01})) << what << frame;
+      ++seen[static_cast<std::size_t>(static_cast<int>(m->relation) + 1)];
+      EXPECT_GT(m->normal.x * down.x + m->normal.y * down.y + m->normal.z * down.z, 0.999) << what << frame;
+      EXPECT_EQ(m->corners.size(), 4U) << what << frame;
+      if (ids && ids_of(*m) != *ids) ++changes;
+      ids = ids_of(*m);
+    }
+    EXPECT_EQ(changes, 0) << what;
+  };
+  const int frames = battery::sanitized ? 20 : 200;
+  const Vector3 half{0.5, 0.5, 0.5}, straight{0, -1, 0};
+  run(
+      ground,
+      [&](int) {
+        return turned_box({0.3, 0.5, 0.2}, 0.7, 0, half);
+      },
+      straight, 3, "resting exactly ");
+  run(
+      ground,
+      [&](int) {
+        return turned_box({0.3, 0.5 + noise(1e-3), 0.2}, 0.7, noise(1e-4), half);
+      },
+      straight, frames, "trembling ");
+  run(
+      ground,
+      [&](int k) {
+        return turned_box({0.05 * k - 5, 0.5 + noise(1e-9), 0.2}, 0.7, noise(1e-12), half);
+      },
+      straight, frames, "sliding ");
+  run(
+      ground,
+      [&](int k) {
+        return turned_box({0.3, 0.499 + noise(1e-5), 0.2}, 0.1 * k, noise(1e-6), half);
+      },
+      straight, frames, "spinning ");
+  const Vector3 up = slope.axes[1], into{-up.x, -up.y, -up.z};
+  const auto on_slope = [&](double yaw, double along, double height) {
+    Obb3 box = turned_box({0, 0, 0}, 0.4, 0.3, half);
+    const Vector3 u = box.axes[0], w = box.axes[2];
+    const double c = std::cos(yaw), s = std::sin(yaw);
+    box.axes[0] = {c * u.x - s * w.x, c * u.y - s * w.y, c * u.z - s * w.z};
+    box.axes[2] = {s * u.x + c * w.x, s * u.y + c * w.y, s * u.z + c * w.z};
+    box.center = {up.x * height + u.x * along, up.y * height + u.y * along, up.z * height + u.z * along};
+    return box;
+  };
+  run(
+      slope, [&](int k) { return on_slope(0, 0.02 * k, 1 + noise(1e-3)); }, into, frames, "down the slope ");
+  run(
+      slope, [&](int k) { return on_slope(0.05 * k, 0, 1 + noise(1e-6)); }, into, frames, "spinning on the slope ");
+  EXPECT_GT(std::min({seen[0], seen[1], seen[2]}), 0);
+}
+
+/// A capsule that rolls keeps its two corners, a ball its one.
+TEST(Contact, OfWhatRolls) {
+  const Aabb3 ground{{-20, -1, -20}, {20, 0, 20}};
+  ContactCache cache;
+  for (int k = 0; k < 100; ++k) {
+    const double x = 0.05 * k;
+    const auto m = contact(Capsule3{{x, 0.25, -1}, {x, 0.25, 1}, 0.25}, ground, {}, &cache);
+    ASSERT_TRUE(m);
+    EXPECT_EQ(m->relation, Relation::touching);
+    EXPECT_EQ(m->normal, (Vector3{0, -1, 0}));
+    EXPECT_THAT(ids_of(*m), testing::ElementsAre(ContactId{{FeatureKind::face, 1}, {FeatureKind::face, 3}},
+                                                 ContactId{{FeatureKind::face, 2}, {FeatureKind::face, 3}}));
+    const auto ball = contact(Sphere3{{x, 0.25, 0}, 0.5}, ground, {});
+    ASSERT_TRUE(ball);
+    EXPECT_EQ(ball->distance, -0.25);
+    EXPECT_EQ(ball->corners[0].on_a, (Point3{x, -0.25, 0}));
+    EXPECT_EQ(ball->corners[0].on_b, (Point3{x, 0, 0}));
+  }
+}
+
+TEST(Contact, AtMostKeepsTheDeepestAndTheWidest) {
+  const Obb3 box = turned_box({0.3, 0.25, 0.2}, 0.7, 0.01, {2, 0.25, 1});
+  const Aabb3 ground{{-20, -1, -20}, {20, 0, 20}};
+  const auto all = contact(box, ground, {.margin = 1});
+  ASSERT_TRUE(all);
+  EXPECT_EQ(all->corners.size(), 4U);
+  std::size_t before = 0;
+  for (std::size_t n = 1; n <= 5; ++n) {
+    const auto some = contact(box, ground, {.margin = 1, .at_most = n});
+    ASSERT_TRUE(some);
+    EXPECT_EQ(some->corners.size(), std::min<std::size_t>(n, 4));
+    EXPECT_EQ(some->distance, std::ranges::min(some->corners, {}, &ContactCorner::distance).distance);
+    EXPECT_GE(some->corners.size(), before);
+    before = some->corners.size();
+    for (const ContactCorner& c : some->corners) EXPECT_NE(std::ranges::find(all->corners, c), all->corners.end());
+  }
+  // The two are the ends of the longer diagonal.
+  const auto two = contact(box, ground, {.margin = 1, .at_most = 2});
+  EXPECT_EQ(two->corners[0].id.a.index ^ two->corners[1].id.a.index, 5U);
+}
+
+TEST(Contact, AMoveOrAPowerOfTwoChangesNoId) {
+  Counts counts;
+  shape_cases::on_shapes(45'500, battery::sanitized ? 5 : 60, [&](Material& m) {
+    const auto at = [&] { return static_cast<double>(m.below(64)) / 16; };
+    const Obb3 a{{at(), at(), at()}, {Vector3{at(), 1, 0}, Vector3{-1, at(), 0}, Vector3{0, 0, 1}}, {at(), at(), at()}};
+    const Aabb3 b{{0, 0, 0}, {at(), at(), at()}};
+    const auto here = contact(a, b, {.margin = 64});
+    const double x = 1024 * at(), y = 1024 * at(), s = 0x1p-40;
+    const auto there = contact(Obb3{{a.center.x + x, a.center.y + y, a.center.z}, a.axes, a.half},
+                               Aabb3{{x, y, 0}, {b.max.x + x, b.max.y + y, b.max.z}}, {.margin = 64});
+    const auto small = contact(
+        Obb3{{s * a.center.x, s * a.center.y, s * a.center.z}, a.axes, {s * a.half.x, s * a.half.y, s * a.half.z}},
+        Aabb3{{0, 0, 0}, {s * b.max.x, s * b.max.y, s * b.max.z}}, {.margin = 64 * s});
+    ASSERT_TRUE(here && there && small) << m.about();
+    EXPECT_EQ(ids_of(*here), ids_of(*there)) << m.about();
+    EXPECT_EQ(ids_of(*here), ids_of(*small)) << m.about();
+    EXPECT_EQ(here->normal, there->normal) << m.about();
+    EXPECT_EQ(here->normal, small->normal) << m.about();
+    EXPECT_EQ(here->distance, there->distance) << m.about();
+    EXPECT_EQ(s * here->distance, small->distance) << m.about();
+    (here->relation == Relation::overlapping ? counts.overlapping : counts.apart) += 1;
+  });
+  EXPECT_GT(std::min(counts.overlapping, counts.apart), 0);
+}
+
+TEST(Contact, RefusesByName) {
+  const Aabb3 box{{0, 0, 0}, {1, 1, 1}};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  using testing::HasSubstr, testing::ThrowsMessage;
+  EXPECT_THAT([&] { (void)contact(box, box, {.margin = -1}); },
+              ThrowsMessage<InvalidShape>(HasSubstr("contact: margin is negative")));
+  EXPECT_THAT([&] { (void)exact_contact(box, box, nan); },
+              ThrowsMessage<NonFinite>(HasSubstr("exact_contact: margin")));
+  EXPECT_THAT([&] { (void)contact(Sphere3{{0, 0, 0}, -1}, box); }, ThrowsMessage<InvalidShape>(HasSubstr("contact: ")));
+  EXPECT_THAT([&] { (void)contact(Point3{nan, 0, 0}, box); }, ThrowsMessage<NonFinite>(HasSubstr("contact: ")));
+  EXPECT_THAT(
+      [&] {
+        (void)contact(Aabb3{{1, 1, 1}, {0, 0, 0}}, box);
+      },
+      ThrowsMessage<InvalidShape>(HasSubstr("empty")));
 }
 
 }  // namespace

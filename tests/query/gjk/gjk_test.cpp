@@ -106,7 +106,7 @@ void expect_answer(const AnyBody& first, const AnyBody& second, Material& m, See
   EXPECT_EQ(answer.closest.distance, d) << about;
   EXPECT_EQ(query::gjk_apart_by(va, vb, {}), d) << about;
   EXPECT_EQ(swapped(query::gjk_answer(vb, va, {.pair = WhichPair::first}).closest), answer.closest) << about;
-  if (!va.is_hull() && !vb.is_hull() && va.pose == nullptr && vb.pose == nullptr) {
+  if (!va.is_hull() && !vb.is_hull() && va.pose.stands() && vb.pose.stands()) {
     EXPECT_EQ(answer.closest, query::closest_points_of(va.figure, vb.figure)) << about;
   }
 

@@ -225,6 +225,7 @@ TEST(AnyFigure, GoesWithTheKindsThemselves) {
     EXPECT_EQ(intersects(Translating{x, by}, b), intersects(Translating{a, by}, b));
     EXPECT_EQ(penetration(x, b), penetration(a, b));
     EXPECT_EQ(gjk_distance(a, y), gjk_distance(a, b));
+    EXPECT_EQ(contact(x, b, {.margin = 9}), contact(a, b, {.margin = 9}));
     EXPECT_EQ(contains(x, Point3{1, 1, 1}), contains(a, Point3{1, 1, 1}));
   };
   const auto with_all = [&](const auto& a) {

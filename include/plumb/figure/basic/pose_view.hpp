@@ -1,4 +1,4 @@
-// Under which pose?  Any of them as one argument: a Pose, a RigidPose or a RigidChain; of the plane likewise.
+// Which pose is it?  One argument takes any of them: a Pose, a RigidPose or a RigidChain; of the plane likewise.
 //
 //   Aabb3 transform(const Aabb3& box, PoseView pose);       transform(box, RigidPose{turn, {1, 2, 3}})
 //

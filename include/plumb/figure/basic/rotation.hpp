@@ -16,7 +16,7 @@
 // NaN and infinity throw NonFinite, the axis zero and the quaternion zero InvalidShape; all by name.
 // Source: RTCD 3.1.1; Kabsch 1976 and Horn 1987 for the guess.
 // Cost: an angle below 64 some 2 us, larger ones up to some milliseconds; a matrix some 2 us, a multiple of a rotation
-// some 50 us.
+// some 5 us.
 #pragma once
 
 #include <optional>
@@ -36,9 +36,9 @@ struct NearRotation2 {
   double off;
 };
 
-/// By the angle in radians about the axis, of any length, counterclockwise as seen from its end.
+/// Turns by the angle in radians about the axis, whose length is any, counterclockwise as seen from its end.
 NearRotation rotation(const Vector3& axis, double angle);
-/// Counterclockwise.
+/// Turns counterclockwise.
 NearRotation2 rotation(double angle);
 
 /// The rotation nearest to the matrix of the pose; its translation is not looked at.

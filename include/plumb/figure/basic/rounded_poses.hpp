@@ -13,7 +13,7 @@
 // thirty degrees, which doubles do not hold, does not.  A RigidPose always does (figure/basic/rigid_poses.hpp).
 // NaN and infinity throw NonFinite, a number beyond the doubles BeyondDoubles; both by name.
 // Source: RTCD 3.1.1, 3.1.5, 3.2.
-// Cost: some 20 ns a number of an image or a composition, some 100 ns of an inverse.
+// Cost: some 20 ns a number of a composition, some 100 ns of an image or an inverse.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@
 
 namespace plumb {
 
-/// Of a matrix, a rigid pose or a chain.
+/// The pose is a matrix, a rigid pose or a chain.
 Point2 rounded_image(PoseView2 pose, const Point2& p);
 Point3 rounded_image(PoseView pose, const Point3& p);
 Vector2 rounded_image(PoseView2 pose, const Vector2& v);

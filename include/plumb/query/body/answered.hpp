@@ -22,6 +22,7 @@ struct GjkAnswer;
 struct GjkBounds;
 struct Hit;
 struct Intersection3;
+struct LinearAnswer3;
 struct Penetration;
 struct PenetrationAlong;
 struct RayParameter;
@@ -201,5 +202,12 @@ PLUMB_NO_ANSWER(Answer,
                 "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
                 "VertexHull3, balls, capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
 gjk_distance(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// What do linear constraints allow?
+template <class Answer = LinearAnswer3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: maximize takes a Vector2 or Vector3 and then a span or vector of halfspaces of its space, "
+                "maximize(direction, halfspaces), or a vector of Rational and a LinearSystem")
+maximize(PLUMB_ANYTHING) PLUMB_DELETED;
 
 }  // namespace plumb

@@ -70,7 +70,15 @@ class AnyFigure {
     return {kind_, dimension_, there_ != nullptr ? there_.get() : static_cast<const void*>(here_.data())};
   }
   [[nodiscard]] query::PosedView view() const {
-    return {figure(), std::get_if<Pose>(&pose_), std::get_if<Pose2>(&pose_)};
+    return {figure(), std::visit(
+                          []<class By>(const By& by) {
+                            if constexpr (std::is_same_v<By, std::monostate>) {
+                              return query::PoseView();
+                            } else {
+                              return query::PoseView(&by);
+                            }
+                          },
+                          pose_)};
   }
 
   /// Of the same kind, the same numbers, and the same pose.

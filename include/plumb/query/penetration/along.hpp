@@ -23,7 +23,8 @@
 // Source: RTCD 9.3.8, 9.5; van den Bergen 2001, of round bodies 2004; Cameron 1997 for translational distances by
 // directions.
 // Cost: that of exact_penetration, for each direction; of a cone of n directions n^3 signs a facet of the polytope; of
-// round bodies some tens of microseconds a direction.
+// round bodies some tens of microseconds a direction.  Bounded by n^2 log n signs a direction for n corners of both, on
+// integers as long as the exponents' span.
 #pragma once
 
 #include <span>

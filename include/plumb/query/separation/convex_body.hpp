@@ -5,8 +5,8 @@
 //
 // Laws: (1) the corners of a body are numbered as figure/containment/voronoi_region.hpp numbers vertices: those of a box by
 // bits, x, y, z, or the axis, where set the greater one; of a lozenge likewise by its edges; else in the order of the members.
-// (2) A pose is exact, whatever its matrix; what is round keeps its radius under one whose columns are at right angles and of
-// one rational length.
+// (2) A pose is exact, whatever its matrix; what is round keeps its radius under a RigidPose or a RigidChain, and is as many
+// times as large under a Pose whose columns are at right angles and of one rational length.
 // Source: RTCD 9.1, 4.5.
 // Cost: none; a view refers to the figure.
 #pragma once
@@ -30,7 +30,7 @@ namespace query {
 struct BodyView {
   FigureView figure{FigureKind::convex_polyhedron, 3, nullptr};
   std::span<const Point3> vertices{};
-  const Pose* pose = nullptr;
+  PoseView pose{};
   double radius = 0;  // of what is no figure: all within it of the hull
 
   [[nodiscard]] bool is_hull() const { return figure.shape == nullptr; }
@@ -57,7 +57,7 @@ requires(figure_dimension<Shape> == 3)  //
 inline BodyView body_view(const AnyFigure& s) {
   const PosedView v = s.view();
   if (v.figure.dimension != 3 || !is_body_kind(v.figure.kind)) refuse_figure("what takes convex bodies", v.figure);
-  return {.figure = v.figure, .vertices = {}, .pose = v.in_space};
+  return {.figure = v.figure, .vertices = {}, .pose = v.pose};
 }
 
 inline BodyView body_view(const RoundedHull3& s) { return {.vertices = s.vertices, .radius = s.radius}; }
@@ -89,11 +89,12 @@ requires(!RoundedHullFigure<Shape>) BodyView body_view(const Shape& s) {
 
 }  // namespace query
 
-/// A convex body of space, as it stands or under a Pose; or a figure whose kind is seen when it is asked.
+/// A convex body of space, as it stands or under a pose; or a figure whose kind is seen when it is asked.
 template <class Shape>
 concept ConvexBody3 = std::same_as<Shape, AnyFigure> || std::same_as<Shape, RoundedHull3> || RoundedHullFigure<Shape> ||
     ((query::is_vertex_hull<query::UnposedType<Shape>> ||
-      query::is_body_figure<query::UnposedType<Shape>>)&&(!query::is_posed<Shape> ||
-                                                          requires(const Shape& s, const Pose*& p) { p = &s.pose; }));
+      query::is_body_figure<query::UnposedType<Shape>>)&&(!query::is_posed<Shape> || requires(const Shape& s) {
+      requires PoseOfSpace<std::remove_cvref_t<decltype(s.pose)>>;
+    }));
 
 }  // namespace plumb

@@ -19,7 +19,8 @@
 // NaN and infinity throw NonFinite, an empty figure, a negative radius and a polygon that is not planar InvalidShape, by
 // name.  Where doubles decide, a polyhedron is what convex_polyhedron made, and is not looked through.
 // Source: RTCD 5.1.8, 5.1.9, 5.1.10, 5.1.11; Gilbert, Johnson and Keerthi 1988; Wolfe 1976.
-// Cost: docs/closest.md.
+// Cost: docs/closest.md.  Bounded by n^2 signs for n corners of both, on integers as long as the exponents' span: no
+// simplex comes twice.
 #pragma once
 
 #include "plumb/query/body/closest_pairs.hpp"
@@ -35,12 +36,9 @@ concept SeparatedPair = Figure<A> && Figure<B> &&(figure_dimension<A> == figure_
                         closest_pairs.answers(figure_kind<A>, figure_kind<B>, figure_dimension<A>) &&
                         !StraightPair<A, B> && !(AnyOf<A, Point2, Point3> && (NearPoint2<B> || NearPoint3<B>));
 
-/// What is of no kind before it is asked may be round.
 template <class S>
-inline constexpr bool is_round = true;
-template <Figure S>
-inline constexpr bool is_round<S> = is_one_of(figure_kind<S>,
-                                              {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
+inline constexpr bool is_round = is_one_of(figure_kind<S>,
+                                           {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
 
 Closest closest_points_of(const FigureView& a, const FigureView& b);
 double distance_of(const FigureView& a, const FigureView& b, Question question);

@@ -1,4 +1,4 @@
-#include "certify/batch/shared_work.hpp"
+#include "certify/batch/thread_pool.hpp"
 
 #include <pthread.h>
 #include <sched.h>

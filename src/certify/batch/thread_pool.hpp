@@ -1,4 +1,5 @@
-// Who takes part in work that is cut into parts?  The thread that asks, and threads that help where there are any.
+// Thread pool: who takes part in work that is cut into parts?  The thread that asks, and threads that help where there
+// are any.
 //
 // Laws: (1) All parts are done when share_out() returns, or one has thrown: then what the lowest part that threw has
 // thrown is thrown on, as where the parts are done one after the other, and higher ones may be left out.  (2) Nothing

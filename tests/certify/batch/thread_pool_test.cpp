@@ -1,5 +1,5 @@
-// Shared work is done: once each part, on as many threads as may be, on one where none can be made, and in a child.
-#include "certify/batch/shared_work.hpp"
+// Does a thread pool do all parts: once each, on as many threads as may be, on one where none can be made, and in a child?
+#include "certify/batch/thread_pool.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ int in_child(const Work& work) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-TEST(SharedWork, TakePartUpToTheLimit) {
+TEST(ThreadPool, TakePartUpToTheLimit) {
   for (const unsigned most : {1U, 2U, 3U, 5U}) {
     const ThreadLimit limit(most);
     EXPECT_EQ(limit.threads(), most);
@@ -91,7 +91,7 @@ TEST(SharedWork, TakePartUpToTheLimit) {
   EXPECT_EQ(thread_limit(), 3U);
 }
 
-TEST(SharedWork, AreNotMadeWhereOneThreadIsAsked) {
+TEST(ThreadPool, AreNotMadeWhereOneThreadIsAsked) {
   EXPECT_EQ(in_child([] {
               const ThreadLimit one(1);
               threads_seen(100, 1);
@@ -100,7 +100,7 @@ TEST(SharedWork, AreNotMadeWhereOneThreadIsAsked) {
             0);
 }
 
-TEST(SharedWork, AreDoneWithoutWhereNoThreadCanBeMade) {
+TEST(ThreadPool, AreDoneWithoutWhereNoThreadCanBeMade) {
   if (battery::sanitized) GTEST_SKIP() << "sanitizers make threads of their own";
   EXPECT_EQ(in_child([] {
               if (!forbid_threads()) return false;
@@ -119,7 +119,7 @@ TEST(SharedWork, AreDoneWithoutWhereNoThreadCanBeMade) {
 }
 
 // As where the parts are done one after the other.
-TEST(SharedWork, ThrowWhatTheLowestPartThrew) {
+TEST(ThreadPool, ThrowWhatTheLowestPartThrew) {
   const ThreadLimit four(4);
   for (int round = 0; round < 200; ++round) {
     std::string said;
@@ -137,7 +137,7 @@ TEST(SharedWork, ThrowWhatTheLowestPartThrew) {
   }
 }
 
-TEST(SharedWork, ShareWorkWithinWork) {
+TEST(ThreadPool, ShareWorkWithinWork) {
   const ThreadLimit four(4);
   for (int round = 0; round < 50; ++round) {
     std::atomic<int> sum = 0;
@@ -149,7 +149,7 @@ TEST(SharedWork, ShareWorkWithinWork) {
   }
 }
 
-TEST(SharedWork, ServeManyWhoAskAtOnce) {
+TEST(ThreadPool, ServeManyWhoAskAtOnce) {
   const ThreadLimit three(3);
   std::atomic<int> sum = 0;
   std::vector<std::thread> askers;
@@ -163,7 +163,7 @@ TEST(SharedWork, ServeManyWhoAskAtOnce) {
 }
 
 // Its parent's helpers are not there; it makes its own.
-TEST(SharedWork, AreAChildsOwn) {
+TEST(ThreadPool, AreAChildsOwn) {
   if (battery::sanitized) GTEST_SKIP() << "sanitizers do not follow fork() with threads";
   const ThreadLimit three(3);
   EXPECT_EQ(threads_seen(6, 3), 3U);
@@ -172,7 +172,7 @@ TEST(SharedWork, AreAChildsOwn) {
 }
 
 // Whatever the thread does that asks, and whoever made them.
-TEST(SharedWork, RoundToNearestAndTakeNoSignals) {
+TEST(ThreadPool, RoundToNearestAndTakeNoSignals) {
   EXPECT_EQ(in_child([] {
               const ThreadLimit three(3);
               std::fesetround(FE_UPWARD);

@@ -11,6 +11,7 @@
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_radius.hpp"
 #include "query/overlap/polygon_relation.hpp"
+#include "query/separation/quick.hpp"
 
 namespace plumb::query {
 namespace {
@@ -75,6 +76,9 @@ Closest posed_closest_points(const Point3& p, const Posed<Triangle3>& triangle) 
 
 // root(p / q) - n / m is (m root(p q) - n q) / (m q).
 double posed_distance(const PosedView& a, const PosedView& b, Question question) {
+  if (const auto quick = QuickPair::of(a, b)) {
+    if (const auto d = quick->distance()) return *d;
+  }
   const MeasuredGap gap = measured_gap(question, a, b);
   if (!gap.is_open()) return 0;
   const mpz_class &p = gap.square.get_num(), &q = gap.square.get_den();
