@@ -19,10 +19,8 @@ function(plumb_add_program name folder output timed_rooms)
   add_library(${target}_untimed OBJECT ${untimed})
   add_library(${target} STATIC ${timed} $<TARGET_OBJECTS:${target}_untimed>)
   target_compile_options(${target}_untimed PRIVATE -O1)
-  # Pictures have margins of their own, by one set of names.
-  set(pictures "(chart|curves|drawing|picture)\\.cpp$")
-  plumb_group(${target} ${pictures} ${ARGN})
-  plumb_group(${target}_untimed ${pictures})
+  plumb_group(${target} ${ARGN})
+  plumb_group(${target}_untimed ${ARGN})
   # Each room has one parser, and all need the same: CLI11.
   set(parsers ${untimed})
   list(FILTER parsers INCLUDE REGEX "options\\.cpp$|/program/[a-z]+\\.cpp$")

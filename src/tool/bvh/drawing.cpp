@@ -13,13 +13,13 @@
 namespace plumb::tool {
 namespace {
 
-constexpr double kWidth = 960, kEdge = 24, kTop = 84, kGap = 16, kColumns = 4;
-constexpr double kPanel = (kWidth - 2 * kEdge - (kColumns - 1) * kGap) / kColumns;
-constexpr double kHeading = 24, kTallest = 280, kFlattest = 40;
-constexpr double kLeft = 64, kBars = 180, kBottom = 56;
-constexpr std::array<std::uint32_t, 8> kDepths{1, 2, 3, 4, 5, 6, 8, 10};
-
 class TreeDrawing {
+  static constexpr double kWidth = 960, kEdge = 24, kTop = 84, kGap = 16, kColumns = 4;
+  static constexpr double kPanel = (kWidth - 2 * kEdge - (kColumns - 1) * kGap) / kColumns;
+  static constexpr double kHeading = 24, kTallest = 280, kFlattest = 40;
+  static constexpr double kLeft = 64, kBars = 180, kBottom = 56;
+  static constexpr std::array<std::uint32_t, 8> kDepths{1, 2, 3, 4, 5, 6, 8, 10};
+
  public:
   TreeDrawing(const BoxTree& tree) : nodes_(tree.nodes.view()), depth_(depths_of(tree)), levels_(levels_of(tree)) {
     const BoxNode root = nodes_.empty() ? BoxNode{} : nodes_[0];

@@ -14,9 +14,9 @@ namespace {
 
 using degenerate::Tally;
 
-constexpr double kWidth = 860, kRight = 190, kTop = 112, kRow = 34, kBottom = 64, kLetter = 8.2, kZero = 44;
-
 class Bars {
+  static constexpr double kWidth = 860, kRight = 190, kTop = 112, kRow = 34, kBottom = 64, kLetter = 8.2, kZero = 44;
+
  public:
   explicit Bars(const FuzzReport& report) : report_(report), tallies_(report.run.findings.tallies) {
     std::size_t longest = 9;

@@ -17,7 +17,7 @@
 namespace plumb::tool {
 namespace {
 
-constexpr std::string_view kAxes = "xyz";
+constexpr std::string_view kViewAxes = "xyz";
 constexpr std::size_t kMostBoxes = 20'000, kMostParts = 20'000;
 
 constexpr std::string_view kBoxStyle =
@@ -119,7 +119,7 @@ class StructureView {
     std::string title = "The boxes of " + r_.sets.front().name;
     if (!r_.of_one()) title += " and, dashed, of " + r_.sets.back().name;
     title += ", by " + command_name(method_taken(r_));
-    const auto axis = [&](std::size_t k) { return DataAxis{std::string(1, kAxes[k]), all_.min[k], all_.max[k]}; };
+    const auto axis = [&](std::size_t k) { return DataAxis{std::string(1, kViewAxes[k]), all_.min[k], all_.max[k]}; };
     constexpr double strip = 96;
     const DataStrips strips{is_sorted(right_) ? strip : 0, is_sorted(up_) ? strip : 0};
     DataView view(title, kBoxStyle, axis(right_), axis(up_), strips);
@@ -154,7 +154,7 @@ class StructureView {
     std::string text =
         fmt::format("{}, {}", plural(boxes_, "box", "boxes"), plural(r_.touch + r_.overlap, "pair", "pairs"));
     if (every_ > 1) text += fmt::format("; one of {} boxes is drawn, so that the picture stays small", every_);
-    if (!r_.is_planar()) text += fmt::format("; seen along {}", kAxes[hidden_]);
+    if (!r_.is_planar()) text += fmt::format("; seen along {}", kViewAxes[hidden_]);
     return text;
   }
 
@@ -168,8 +168,8 @@ class StructureView {
     std::size_t rows = 0;
     const std::vector<std::size_t> row = rows_of(intervals, rows);
     says += fmt::format("; {} how {} lie along {}, up to {} at one place", axis == right_ ? "below" : "left",
-                        every_ > 1 ? "those drawn" : "they", kAxes[axis], grouped(rows));
-    view.begin_group(fmt::format("along-{}", kAxes[axis]), 0);
+                        every_ > 1 ? "those drawn" : "they", kViewAxes[axis], grouped(rows));
+    view.begin_group(fmt::format("along-{}", kViewAxes[axis]), 0);
     for (std::size_t i = 0; i < intervals.size(); ++i) {
       const auto all = static_cast<double>(rows), from = static_cast<double>(row[i]) / all;
       const std::array<double, 2> across{from, from + 0.75 / all};
@@ -207,7 +207,7 @@ class StructureView {
     }
     std::ranges::sort(near);
     near.erase(std::unique(near.begin(), near.end()), near.end());
-    if (square > 0) left_out += fmt::format("; {} are square to {} and not seen", grouped(square), kAxes[hidden_]);
+    if (square > 0) left_out += fmt::format("; {} are square to {} and not seen", grouped(square), kViewAxes[hidden_]);
     const unsigned levels = near.empty() ? 0 : near.back().first + 1;
     std::size_t drawn = 0;
     for (std::size_t i = 0; i < near.size();) {
