@@ -151,15 +151,42 @@ def root(x):
     return Fraction(n, d)
 
 
+def images(columns, translation, points):
+    rows = list(zip(*columns))
+    return [tuple(dot(row, p) + t for row, t in zip(rows, translation)) for p in points]
+
+
+def moved(pose, points):
+    """By a quaternion of any length but zero, v -> q v / q, and a translation; of a chain by its last link first."""
+    if "links" in pose:
+        [links] = members(pose, "links")
+        for link in reversed(items(links)):
+            require(isinstance(link, dict) and "turn" in link, "a link is no turn")
+            points = moved(link, points)
+        return points
+    turn, translation = members(pose, "turn", "translation")
+    w, x, y, z = (real(part) for part in items(turn, 4))
+    norm = w * w + x * x + y * y + z * z
+    require(norm > 0, "the quaternion is zero, which is no turn")
+    v = (x, y, z)
+
+    def turned(p):  # p + 2 w (v x p) / norm + 2 v x (v x p) / norm
+        once = cross(v, p)
+        return plus(plus(p, once, 2 * w / norm), cross(v, once), 2 / norm)
+    return [plus(turned(p), vector(translation)) for p in points]
+
+
 def body_of(body):
     corners, radius = standing(body)
     require(corners, "a body has no corner")
     require(radius >= 0, "a radius is negative")
     if "pose" in body:
-        columns, translation = members(body["pose"], "columns", "translation")
+        pose = body["pose"]
+        if isinstance(pose, dict) and ("turn" in pose or "links" in pose):
+            return moved(pose, corners), radius
+        columns, translation = members(pose, "columns", "translation")
         columns, translation = [vector(c) for c in items(columns, 3)], vector(translation)
-        rows = list(zip(*columns))
-        corners = [tuple(dot(row, p) + t for row, t in zip(rows, translation)) for p in corners]
+        corners = images(columns, translation, corners)
         if radius > 0:
             u, v, w = columns
             require(dot(u, v) == dot(v, w) == dot(w, u) == 0 and dot(u, u) == dot(v, v) == dot(w, w),

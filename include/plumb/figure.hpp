@@ -12,8 +12,10 @@
 #include "plumb/certify/accepted.hpp"             // first, so that what a compiler says of a misuse is short
 #include "plumb/certify/answered.hpp"             // what is said where there is no answer, of signs
 #include "plumb/figure/basic/answered.hpp"        // of figures
-#include "plumb/figure/basic/quaternion.hpp"      // turns by quaternions, their matrices, products, rounded once
+#include "plumb/figure/basic/pose_view.hpp"       // any pose as one argument
 #include "plumb/figure/basic/relation.hpp"        // Location, Relation
+#include "plumb/figure/basic/rigid_poses.hpp"     // rigid poses one after the other, their inverses, their matrices
+#include "plumb/figure/basic/rotation.hpp"        // turns that are exact: by an angle, nearest to a matrix
 #include "plumb/figure/basic/rounded_points.hpp"  // differences of points and the like, rounded once
 #include "plumb/figure/basic/rounded_poses.hpp"   // poses one after the other, their inverses, likewise
 #include "plumb/figure/basic/small_system.hpp"    // two to four linear equations
@@ -54,6 +56,7 @@
 #include "plumb/figure/aabb/box_batch.hpp"             // many pairs of boxes or balls at once
 #include "plumb/figure/aabb/box_forms.hpp"             // by least and greatest, by widths, by center
 #include "plumb/figure/aabb/climbing_aabb.hpp"         // of a convex polyhedron that turns
+#include "plumb/figure/aabb/posed_aabb.hpp"            // of a shape under any pose
 #include "plumb/figure/aabb/relation.hpp"              // do two meet?
 #include "plumb/figure/bound/choose_bound.hpp"         // the cheapest that culls enough
 #include "plumb/figure/bound/proxy.hpp"                // what collides in place of what is seen

@@ -16,6 +16,12 @@
 #include "plumb/query/body/posed.hpp"       // a figure as it stands or under a pose
 #include "plumb/query/body/restated.hpp"    // slabs and boxes as the figures of the tables that they are
 
+// Of which kind, where that is known at run time alone?
+#include "plumb/query/body/any_figure.hpp"     // AnyFigure: a shape of any kind as a value
+#include "plumb/query/body/rounded_hull.hpp"   // a figure of your own: the hull of its places, and a radius
+#include "plumb/query/variant/own_figure.hpp"  // every question takes one of these
+#include "plumb/query/variant/questions.hpp"   // every question takes one
+
 // Which pairs?
 #include "plumb/query/body/closest_pairs.hpp"       // of closest_points and distance
 #include "plumb/query/body/contact_pairs.hpp"       // of first_contact
@@ -64,6 +70,7 @@
 #include "plumb/query/closest/closest.hpp"         // a point and any shape
 #include "plumb/query/closest/pairs.hpp"           // lines, rays, segments, triangles
 #include "plumb/query/closest/result.hpp"          // points, features, distance
+#include "plumb/query/closest/which_pair.hpp"      // any of several pairs, or the first
 #include "plumb/query/convex/location.hpp"         // a point and a convex polygon, in logarithmic time
 #include "plumb/query/overlap/posed_distance.hpp"  // of figures under poses, the number
 #include "plumb/query/separation/convex_body.hpp"  // what convexity is asked of: hulls of corners, and a radius
@@ -73,12 +80,11 @@
 #include "plumb/query/separation/separation.hpp"   // any two figures
 
 // The same of convex bodies by GJK: with a history, and with caches from frame to frame
-#include "plumb/query/gjk/batch.hpp"             // many pairs, by threads
-#include "plumb/query/gjk/contact_manifold.hpp"  // all nearest pairs: the polygon, edge or point where they touch
-#include "plumb/query/gjk/figure_support.hpp"    // gjk_bounds of cylinders, cones, ellipsoids and caps
-#include "plumb/query/gjk/gjk.hpp"               // gjk, gjk_intersects, gjk_distance
-#include "plumb/query/gjk/support_mapping.hpp"   // of bodies known by their support mapping
-#include "plumb/query/gjk/swept.hpp"             // of bodies that move straight
+#include "plumb/query/gjk/batch.hpp"            // many pairs, by threads
+#include "plumb/query/gjk/figure_support.hpp"   // gjk_bounds of cylinders, cones, ellipsoids and caps
+#include "plumb/query/gjk/gjk.hpp"              // gjk, gjk_intersects, gjk_distance
+#include "plumb/query/gjk/support_mapping.hpp"  // of bodies known by their support mapping
+#include "plumb/query/gjk/swept.hpp"            // of bodies that move straight
 
 // What meets linear constraints, and what of it lies farthest, or nearest?  maximize, nearest_feasible, verify
 #include "plumb/query/lp/elimination.hpp"       // solutions and projections, by Fourier and Motzkin
@@ -93,6 +99,9 @@
 #include "plumb/query/penetration/along.hpp"               // by directions given, or within a cone
 #include "plumb/query/penetration/penetration.hpp"         // by the least translation
 #include "plumb/query/penetration/penetration_bounds.hpp"  // between bounds, by farthest points alone
+
+// Where do they touch, as physics engines take it?  Normal, signed distance, corners with ids that persist
+#include "plumb/query/contact/contact.hpp"  // contact, exact_contact; with a cache from frame to frame
 
 // By which method, of convex bodies?
 #include "plumb/query/polytope_hierarchy/polytope_hierarchy.hpp"  // extreme vertex and distance in logarithmic time

@@ -86,6 +86,33 @@ Polynomial square_free_part(Polynomial p) {
   return repeated.size() < 2 ? p : exact_quotient(std::move(p), repeated);
 }
 
+int count_positive_roots(const Polynomial& p) {
+  // Changes of sign along the chain of negated remainders: at zero, and far beyond all roots.
+  int more = 0, last_at_zero = 0, last_beyond = 0;
+  const auto count = [](int& last, int sign) {
+    const int change = sign != 0 && sign == -last ? 1 : 0;
+    if (sign != 0) last = sign;
+    return change;
+  };
+  const auto negate = [](Polynomial& q) {
+    for (mpz_class& c : q) c = -c;
+  };
+  Polynomial here = p, next = derivative(p);
+  while (!here.empty()) {
+    more += count(last_at_zero, sgn(here.front())) - count(last_beyond, sgn(here.back()));
+    Polynomial rest = std::move(here);
+    here = next;
+    if (!next.empty()) {
+      if (sgn(next.back()) < 0) negate(next);  // so that what is left is a positive multiple of the remainder
+      reduce(rest, next);
+      negate(rest);
+      make_primitive(rest);
+      next = std::move(rest);
+    }
+  }
+  return more;
+}
+
 mpz_class scaled_value(const Polynomial& p, const DyadicPlace& x) {
   mpz_class value, term;
   for (std::size_t i = p.size(); i-- > 0;) {

@@ -4,7 +4,7 @@
 // A polynomial lists its coefficients in ascending order and ends with one that is not zero; zero has none.
 // Laws: everything is exact.  A greatest common divisor, a square-free part and a quotient are primitive (their
 // coefficients have no common divisor), so signs are kept up to one sign for the whole polynomial.
-// Source: Knuth, TAOCP 4.6.1.
+// Source: Knuth, TAOCP 4.6.1; Sturm 1829.
 // Cost: a few microseconds for the degrees in use, which are below 7.
 #pragma once
 
@@ -38,6 +38,10 @@ Polynomial exact_quotient(Polynomial p, const Polynomial& q);
 
 /// A polynomial with the same roots, each of them once.
 Polynomial square_free_part(Polynomial p);
+
+/// How many numbers above zero are roots of p, of which zero is none?  By Sturm's theorem: as many operations whatever the roots are, where
+/// isolating them takes a step for each bit by which their sizes differ.
+int count_positive_roots(const Polynomial& p);
 
 /// -1, 0 or 1.
 int sign_at(const Polynomial& p, const DyadicPlace& x);

@@ -9,10 +9,8 @@
 #include "plumb/arith/error.hpp"
 
 namespace plumb {
-namespace {
 
-// Control characters are spelled out: a NUL would end the text of an exception, others would steer a terminal.
-std::string quoted(std::string_view word) {
+std::string quoted_word(std::string_view word) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text = "'";
   for (const char c : word) {
@@ -26,7 +24,6 @@ std::string quoted(std::string_view word) {
   return text + "'";
 }
 
-// The next word of the line, which is cut off it; a '#' ends the line.
 std::string_view next_word(std::string_view& line) {
   constexpr std::string_view blank = " \t\r\n";
   const std::size_t begin = line.find_first_not_of(blank);
@@ -37,11 +34,13 @@ std::string_view next_word(std::string_view& line) {
   return word;
 }
 
+namespace {
+
 Sign parse_sign(std::string_view word) {
   for (const Sign s : {Sign::negative, Sign::zero, Sign::positive}) {
     if (word.size() == 1 && word[0] == to_char(s)) return s;
   }
-  throw Error("after '=' comes the expected sign '+', '0' or '-', not " + quoted(word));
+  throw Error("after '=' comes the expected sign '+', '0' or '-', not " + quoted_word(word));
 }
 
 // Is this unsigned literal, beyond the range of doubles, too small rather than too large?  Its first significant digit
@@ -94,13 +93,13 @@ double parse_double(std::string_view word) {
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), x,
                                             hexadecimal ? std::chars_format::hex : std::chars_format::general);
   if (error == std::errc::result_out_of_range) {
-    if (!below_one(rest, hexadecimal)) throw Error(quoted(word) + " is beyond the largest double");
+    if (!below_one(rest, hexadecimal)) throw Error(quoted_word(word) + " is beyond the largest double");
     x = 0;  // the nearest double
   }
   if (first == '-' || error == std::errc::invalid_argument || end != rest.data() + rest.size()) {
-    throw Error(quoted(word) + " is not a number; give a decimal or hexadecimal double, such as 0.1 or 0x1.8p-3");
+    throw Error(quoted_word(word) + " is not a number; give a decimal or hexadecimal double, such as 0.1 or 0x1.8p-3");
   }
-  if (!std::isfinite(x)) throw NonFinite(quoted(word) + " is not a real number; give a finite double");
+  if (!std::isfinite(x)) throw NonFinite(quoted_word(word) + " is not a real number; give a finite double");
   return minus ? -x : x;
 }
 
@@ -114,13 +113,13 @@ std::optional<CaseLine> parse_case_line(std::string_view line) {
   const std::string_view name = next_word(line);
   if (name.empty()) return std::nullopt;
   const CatalogEntry* entry = find_predicate(name);
-  if (entry == nullptr) throw Error("there is no predicate " + quoted(name) + "; there are " + known_predicates());
+  if (entry == nullptr) throw Error("there is no predicate " + quoted_word(name) + "; there are " + known_predicates());
   CaseLine c{std::string(name), {}, {}};
   for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
     if (word == "=") {
       c.expected = Unsure{parse_sign(next_word(line))};
       if (const auto more = next_word(line); !more.empty())
-        throw Error("nothing may follow the sign, but here comes " + quoted(more));
+        throw Error("nothing may follow the sign, but here comes " + quoted_word(more));
       break;
     }
     c.coordinates.push_back(parse_double(word));

@@ -32,6 +32,13 @@ std::optional<CaseLine> parse_case_line(std::string_view line);
 
 std::string to_string(const CaseLine& c);
 
+/// The next word of the line, which is cut off it; a '#' ends the line.
+std::string_view next_word(std::string_view& line);
+
+/// A word as an error quotes it: control characters are spelled out, for a NUL would end the text of an exception, and
+/// others would steer a terminal.
+std::string quoted_word(std::string_view word);
+
 /// A double as a hexadecimal literal that any C or C++ compiler, Python's float.fromhex and parse_case_line read back.
 std::string hexadecimal(double x);
 

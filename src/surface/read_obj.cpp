@@ -27,14 +27,18 @@ std::string bad_vertex(std::int64_t vertex, std::size_t vertices) {
          count + " or, counted backwards, -1 and below; renumber the face or restore the vertices";
 }
 
-// The i of i, i/j, i//k or i/j/k.
-std::int64_t corner_vertex(const TextLines& lines, std::string_view token) {
+// The i of i, i/j, i//k or i/j/k; to a lenient reading, which tells, also of those with nothing behind a slash.
+std::int64_t corner_vertex(Parse& parse, const TextLines& lines, std::string_view token) {
   std::int64_t vertex = 0, other = 0;
   std::string_view rest = token;
   for (int part = 0; part < 3; ++part) {
     const auto slash = std::min(rest.find('/'), rest.size());
     const bool last = slash == rest.size();
-    const bool may_be_empty = part == 1 && !last;
+    const bool may_be_empty = part == 1 && !last, ends_early = part > 0 && last && slash == 0;
+    if (ends_early && parse.lenient()) {
+      parse.pass_over_in_line("corners with nothing behind a slash", lines.line(), token);
+      return vertex;
+    }
     if (!read_integer(rest.substr(0, slash), part == 0 ? vertex : other) && !(may_be_empty && slash == 0)) break;
     if (last) return vertex;
     rest.remove_prefix(slash + 1);
@@ -48,7 +52,7 @@ void read_face(Parse& parse, TextLines& lines, std::vector<ForwardReference>& fo
   const auto vertices = static_cast<std::int64_t>(mesh.vertices.size());
   std::string_view token = lines.require_token("the face's first corner");
   for (; !token.empty(); token = lines.next_token()) {
-    const std::int64_t vertex = corner_vertex(lines, token);
+    const std::int64_t vertex = corner_vertex(parse, lines, token);
     if (vertex == 0 || vertex < -vertices || vertex > most_vertices)
       lines.fail(MeshFileProblem::bad_index, bad_vertex(vertex, mesh.vertices.size()));
     if (vertex > vertices) forward.push_back({vertex, lines.line()});
@@ -64,6 +68,12 @@ bool is_other_statement(std::string_view word) {
       "vn",     "vt",   "vp",    "g",        "o",        "s",   "l",      "p",     "usemtl",    "mtllib",    "usemap",
       "maplib", "mg",   "bevel", "c_interp", "d_interp", "lod", "cstype", "deg",   "bmat",      "step",      "parm",
       "trim",   "hole", "scrv",  "sp",       "end",      "con", "ctech",  "stech", "trace_obj", "shadow_obj"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// A name that ends in a backslash, as a folder's may, takes the next line for a part of it.
+bool is_name(std::string_view word) {
+  constexpr std::array<std::string_view, 5> words{"g", "o", "usemtl", "mtllib", "usemap"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -87,6 +97,8 @@ void parse_obj(Parse& parse) {
       read_vertex(parse, lines);
     } else if (keyword == "f" || keyword == "fo") {
       read_face(parse, lines, forward);
+    } else if (is_name(keyword) && lines.is_joined()) {
+      parse.pass_over_in_line("lines joined to a name by a backslash", lines.line(), lines.rest());
     } else if (!is_other_statement(keyword)) {
       if (keyword.find('\0') != std::string_view::npos)
         lines.fail(MeshFileProblem::syntax, "found binary data " + in_quotes(keyword) +

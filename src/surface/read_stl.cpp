@@ -94,10 +94,22 @@ struct Place {
 // The words of ASCII STL, which may stand on lines as they like.
 class Words {
  public:
-  explicit Words(Parse& parse) : lines_(parse.bytes, parse.file, {.flowing = true}) {}
+  explicit Words(Parse& parse) : parse_(parse), lines_(parse.bytes, parse.file, {.flowing = true}) {}
 
-  // The next word, empty at the end of the file.
-  std::string_view next() { return word_ = lines_.next_token(); }
+  // The next word, empty at the end of the file.  Leniently `end loop` is one, too.
+  std::string_view next() {
+    word_ = lines_.next_token();
+    if (!parse_.lenient() || !is_word(word_, "end")) return word_;
+    TextLines ahead = lines_;
+    const std::string_view behind = ahead.next_token();
+    for (const std::string_view whole : {"endloop", "endfacet", "endsolid"}) {
+      if (!is_word(behind, whole.substr(3))) continue;
+      parse_.pass_over_in_line("blanks within a word", lines_.line(), word_);
+      lines_ = ahead;
+      return whole;
+    }
+    return word_;
+  }
   void expect(std::string_view expected) {
     if (is_word(next(), expected)) return;
     refuse("`" + std::string(expected) + "`");
@@ -111,7 +123,7 @@ class Words {
   Place name(Place at) {
     while (!lines_.at_line_end()) {
       const TextLines before = lines_;
-      next();
+      word_ = lines_.next_token();
       if (is_word(word_, "facet") && facet_follows()) {
         lines_ = before;
         break;
@@ -136,6 +148,7 @@ class Words {
     return is_word(word, "normal") || is_word(word, "outer");
   }
 
+  Parse& parse_;
   TextLines lines_;
   std::string_view word_;
 };

@@ -60,7 +60,8 @@ bool TextLines::next_line() {
   while (at_ < bytes_.size()) {
     line_ = next_line_;
     text_ = physical_line();
-    if (style_.continuations && text_.ends_with('\\')) {
+    is_joined_ = style_.continuations && text_.ends_with('\\');
+    if (is_joined_) {
       joined_.clear();
       while (text_.ends_with('\\')) {
         joined_ += text_.substr(0, text_.size() - 1);

@@ -46,6 +46,8 @@ class TextLines {
   /// `text` is what one would say of this line if words did not flow; kept, of the first, for fail().
   void note_odd_line(const std::string& text);
   [[nodiscard]] bool has_odd_line() const { return odd_.has_value(); }
+  /// Joined of several by backslashes.
+  [[nodiscard]] bool is_joined() const { return is_joined_; }
   void set_flowing(bool flowing) { style_.flowing = flowing; }
   [[nodiscard]] std::uint64_t line() const { return line_; }
   [[nodiscard]] std::size_t offset() const { return at_; }  // of the line after this one
@@ -79,6 +81,7 @@ class TextLines {
   std::size_t at_ = 0;
   std::uint64_t line_, next_line_;
   std::string joined_;
+  bool is_joined_ = false;
   std::optional<OddLine> odd_;
 };
 

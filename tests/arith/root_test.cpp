@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 
+#include "arith/polynomial.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate/entropy.hpp"
@@ -275,6 +276,47 @@ TEST(RootTest, FindsAndOrdersPlantedRoots) {
   EXPECT_GT(seen["irrational"], cases / 2);
   EXPECT_GT(seen["repeated"], cases / 4);
   EXPECT_GT(seen["equal"], cases / 20);
+}
+
+TEST(PositiveRoots, AreAsManyAsAreIsolated) {
+  Entropy entropy(502, 0);
+  int several = 0, repeated = 0;
+  for (int i = 0; i < 500; ++i) {
+    arith::Polynomial p{1};
+    const std::uint64_t factors = 1 + entropy.below(4);
+    for (std::uint64_t k = 0; k < factors; ++k) {  // x - a, (x - a)^2 + b
+      const long a = static_cast<long>(entropy.below(9)) - 4, b = static_cast<long>(entropy.below(3)) - 1;
+      const arith::Polynomial factor = k % 2 == 0 ? arith::Polynomial{-a, 1} : arith::Polynomial{a * a + b, -2 * a, 1};
+      arith::Polynomial product(p.size() + factor.size() - 1);
+      for (std::size_t m = 0; m < p.size(); ++m) {
+        for (std::size_t n = 0; n < factor.size(); ++n) product[m + n] += p[m] * factor[n];
+      }
+      p = product;
+    }
+    if (p.front() == 0) continue;
+    if (entropy.below(2) == 0) {
+      for (mpz_class& c : p) c = -c;
+    }
+    Coefficients coefficients;
+    for (const mpz_class& c : p) coefficients.emplace_back(BigRational{mpq_class(c)});
+    int positive = 0;
+    for (const Root& root : real_roots(coefficients)) positive += root > Rational(0) ? 1 : 0;
+    EXPECT_EQ(arith::count_positive_roots(p), positive) << "500 polynomials of Entropy(502, 0), number " << i;
+    several += positive > 1 ? 1 : 0;
+    repeated += arith::square_free_part(p).size() < p.size() ? 1 : 0;
+  }
+  EXPECT_GT(several, 50);
+  EXPECT_GT(repeated, 50);
+}
+
+TEST(PositiveRoots, AreCountedWhateverTheirSizes) {
+  // (x - 2^-2000) (x - 2^2000) (x + 1): isolating them takes a step for each bit.
+  const mpz_class far = mpz_class(1) << 2000;
+  const arith::Polynomial p{far, -far * far - 1 + far, far - far * far - 1, far};
+  EXPECT_EQ(arith::count_positive_roots(p), 2);
+  EXPECT_EQ(arith::count_positive_roots({1, 2, 1}), 0);
+  EXPECT_EQ(arith::count_positive_roots({1, -2, 1}), 1);
+  EXPECT_EQ(arith::count_positive_roots({5}), 0);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // What does GJK cost beside libccd, FCL and Bullet?  Hulls of 8, 32, 128 and 1000 vertices at uniform positions, of which half
-// meet; in motion with a warm cache; and where they touch.  Names are gjk/work/vertices/method; `wrong` counts the answers
-// that are not those of exact numbers.  `over_generic` is the time of a pair that touches over that of one at a uniform
-// position, in the same run; its goal is 5 at most.
+// meet; in motion with a warm cache; and where they touch or are one ulp apart.  Names are gjk/work/vertices/method; `wrong`
+// counts the answers that are not those of exact numbers.  `over_generic` is the time of a pair that touches over that of one
+// at a uniform position by the same question, in the same run; its goal is 3 at most, and 5 of those one ulp apart.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ Scene uniform(std::size_t vertices) {
     const auto at = [&] { return spread * signed_unit_coordinate(entropy); };
     s.a.push_back(ball_of(vertices, {0, 0, 0}, entropy));
     s.b.push_back(ball_of(vertices, {at(), at(), at()}, entropy));
-    s.meet.push_back(intersects(s.a.back(), s.b.back()));
+    s.meet.push_back(distance(s.a.back(), s.b.back()) == 0);
   }
   return s;
 }
@@ -167,7 +167,8 @@ void add_film(std::size_t vertices, const std::string& motion_name, Motion motio
 
 /// Exactly touching: the second has a corner of the first for one of its own, or ends in the middle of its edge or face.
 enum class Touch : unsigned char { vertex, edge, face, cubes };
-Scene touching(std::size_t vertices, Touch touch) {
+/// `apart`: along the face's normal, or the cubes' axis.
+Scene touching(std::size_t vertices, Touch touch, double apart) {
   Scene s;
   Entropy entropy(73);
   for (std::size_t i = 0; i < 128; ++i) {
@@ -184,16 +185,16 @@ Scene touching(std::size_t vertices, Touch touch) {
       }
     };
     if (touch == Touch::cubes) {
-      const auto cube = [](double x) {
+      const auto cube = [](double x, double off) {
         std::vector<Point3> points;
         for (const double u : {x, x + 1}) {
           for (const double v : {0.0, 1.0}) {
-            for (const double w : {0.0, 1.0}) points.push_back({u, v + x / 4, w + x / 8});
+            for (const double w : {0.0, 1.0}) points.push_back({u + off, v + x / 4, w + x / 8});
           }
         }
         return convex_polyhedron(convex_hull(points), points);
       };
-      s.a.push_back(cube(0)), s.b.push_back(cube(1)), s.meet.push_back(true);
+      s.a.push_back(cube(0, 0)), s.b.push_back(cube(1, apart)), s.meet.push_back(apart == 0);
       continue;
     }
     const ConvexPolyhedron3 a = short_ball();
@@ -206,37 +207,61 @@ Scene touching(std::size_t vertices, Touch touch) {
                           ? Point3{(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}
                           : Point3{(p.x + q.x + 2 * r.x) / 4, (p.y + q.y + 2 * r.y) / 4, (p.z + q.z + 2 * r.z) / 4};
     // The body turned round about the point.
+    const Vector3 u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z};
+    const Vector3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    const double off = apart / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     std::vector<Point3> turned;
-    for (const Point3& v : m.vertices) turned.push_back({2 * on.x - v.x, 2 * on.y - v.y, 2 * on.z - v.z});
-    s.a.push_back(a), s.b.push_back(convex_polyhedron(convex_hull(turned), turned)), s.meet.push_back(true);
+    for (const Point3& w : m.vertices)
+      turned.push_back({2 * on.x - w.x + n.x * off, 2 * on.y - w.y + n.y * off, 2 * on.z - w.z + n.z * off});
+    s.a.push_back(a), s.b.push_back(convex_polyhedron(convex_hull(turned), turned));
+    s.meet.push_back(distance(s.a.back(), s.b.back()) == 0);
   }
   return s;
 }
+using Ask = double (*)(const ConvexPolyhedron3&, const ConvexPolyhedron3&);
 /// The least of some rounds over all pairs.
-double seconds_of_pair(const Scene& s) {
+double seconds_of_pair(const Scene& s, Ask ask) {
   double least = 1;
   for (int round = 0; round < 20; ++round) {
     const auto start = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < s.a.size(); ++i) benchmark::DoNotOptimize(gjk_intersects(s.a[i], s.b[i]));
+    for (std::size_t i = 0; i < s.a.size(); ++i) benchmark::DoNotOptimize(ask(s.a[i], s.b[i]));
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     least = std::min(least, took.count());
   }
   return least / static_cast<double>(s.a.size());
 }
 
-void add_touching(std::size_t vertices, const std::string& touch_name, Touch touch) {
-  const std::string name = "gjk/touching_" + touch_name + "/" + std::to_string(vertices);
-  benchmark::RegisterBenchmark(name.c_str(), [vertices, touch](benchmark::State& state) {
-    const Scene s = touching(vertices, touch);
+void add_touching(std::size_t vertices, const std::string& touch_name, Touch touch, double apart,
+                  const std::string& method, Ask ask) {
+  const std::string where = apart == 0 ? "gjk/touching_" : "gjk/one_ulp_apart_";
+  const std::string name = where + touch_name + "/" + std::to_string(vertices) + "/" + method;
+  benchmark::RegisterBenchmark(name.c_str(), [vertices, touch, apart, ask](benchmark::State& state) {
+    const Scene s = touching(vertices, touch, apart);
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < s.a.size(); ++i) wrong += !gjk_intersects(s.a[i], s.b[i]);
+    for (std::size_t i = 0; i < s.a.size(); ++i) wrong += gjk_intersects(s.a[i], s.b[i]) != s.meet[i];
     for (auto _ : state) {
-      for (std::size_t i = 0; i < s.a.size(); ++i) benchmark::DoNotOptimize(gjk_intersects(s.a[i], s.b[i]));
+      for (std::size_t i = 0; i < s.a.size(); ++i) benchmark::DoNotOptimize(ask(s.a[i], s.b[i]));
     }
     count(state, s.a.size());
     state.counters["wrong"] = static_cast<double>(wrong);
-    state.counters["over_generic"] = seconds_of_pair(s) / seconds_of_pair(scene(vertices));
+    state.counters["over_generic"] = seconds_of_pair(s, ask) / seconds_of_pair(scene(vertices), ask);
   });
+}
+void add_touching(std::size_t vertices, const std::string& touch_name, Touch touch) {
+  using Solid = ConvexPolyhedron3;
+  for (const double apart : {0.0, 0x1p-51}) {
+    const auto add = [&](const char* method, Ask ask) {
+      add_touching(vertices, touch_name, touch, apart, method, ask);
+    };
+    add("gjk_intersects", [](const Solid& a, const Solid& b) { return gjk_intersects(a, b) ? 1.0 : 0.0; });
+    add("intersects", [](const Solid& a, const Solid& b) { return intersects(a, b) ? 1.0 : 0.0; });
+    add("relate", [](const Solid& a, const Solid& b) { return static_cast<double>(relate(a, b)); });
+    add("distance", [](const Solid& a, const Solid& b) { return distance(a, b); });
+    add("gjk", [](const Solid& a, const Solid& b) { return gjk(a, b).closest.distance; });
+    add("gjk_points", [](const Solid& a, const Solid& b) {
+      return gjk(VertexHull3{a.mesh.vertices}, VertexHull3{b.mesh.vertices}).closest.distance;
+    });
+  }
 }
 
 [[maybe_unused]] const bool registered = [] {
@@ -248,6 +273,8 @@ void add_touching(std::size_t vertices, const std::string& touch_name, Touch tou
         return gjk_intersects(VertexHull3{s.a[i].mesh.vertices}, VertexHull3{s.b[i].mesh.vertices});
       };
     });
+    add_intersects(n, "intersects",
+                   [](const Scene& s) { return [&s](std::size_t i) { return intersects(s.a[i], s.b[i]); }; });
     for (const GjkRival& rival : gjk_rivals()) add_rival(n, rival.name, rival);
     add_apart(n, "distance", [](const ConvexPolyhedron3& a, const ConvexPolyhedron3& b) { return gjk_distance(a, b); });
     add_apart(n, "closest",

@@ -30,6 +30,9 @@ add_executable(plumb_bench plumb_bench.cpp ${chart_sources} ${box_pairs_sources}
   rivals/nearest/nanoflann.cpp)
 set_target_properties(plumb_bench PROPERTIES OUTPUT_NAME plumb-bench)
 target_link_libraries(plumb_bench PRIVATE bench_rivals plumb_lab bench_flags rival_libraries)
+if(PLUMB_BENCH_LEVEL)
+  target_precompile_headers(plumb_bench REUSE_FROM bench_rivals)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # What GCC sees in CGAL's spheres and TBB's counters is not there.
   set_property(SOURCE rivals/chart_cgal_figures_rival.cpp rivals/meshes/cgal_rival.cpp APPEND PROPERTY COMPILE_OPTIONS

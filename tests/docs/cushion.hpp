@@ -33,3 +33,7 @@ inline double support_value(const Cushion& s, const plumb::Vector3& direction, p
 }
 
 }  // namespace mine
+
+/// It is the convex hull of its places, and all within its length of that.
+template <>
+inline constexpr bool plumb::is_rounded_hull<mine::Cushion> = plumb::hull_of_places<mine::Cushion>();

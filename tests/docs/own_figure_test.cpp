@@ -63,6 +63,80 @@ TEST(OwnFigure, PlacesAndBoxesAreThoseOfRationals) {
   for (const int n : seen) EXPECT_GT(n, 30);
 }
 
+// As Fat says it of the triangle, and as the ball or the capsule that it may be.
+TEST(OwnFigure, IsAskedWithEveryFigure) {
+  std::array<int, 3> seen{};
+  int with_kind = 0;
+  for (std::uint64_t i = 0; i < 600; ++i) {
+    Entropy e(23, i);
+    const auto number = [&e] { return static_cast<double>(e.within(4)); };
+    const auto point = [&number] { return Point3{number(), number(), number()}; };
+    mine::Cushion cushion{{point(), point(), point()}, static_cast<double>(e.below(4))};
+    if (e.below(4) == 0) cushion.core.c = cushion.core.b;
+    const Fat fat{cushion.core, cushion.radius};
+    const Point3 p = point(), q = point(), r = point();
+    const Vector3 by{number(), number(), 9};
+    const auto expect = [&](const auto& other) {
+      const Relation expected = relate(fat, other);
+      ++seen[static_cast<std::size_t>(static_cast<int>(expected) + 1)];
+      EXPECT_EQ(relate(cushion, other), expected) << "replay: " << i;
+      EXPECT_EQ(relate(other, cushion), expected) << "replay: " << i;
+      EXPECT_EQ(relate(cushion, AnyFigure(other)), expected) << "replay: " << i;
+      EXPECT_EQ(intersects(other, cushion), expected != Relation::disjoint) << "replay: " << i;
+      ExactDistance d = exact_distance(cushion.core, other);
+      d.inset = d.inset + Rational(cushion.radius);
+      EXPECT_EQ(compare(exact_distance(cushion, other), d), Sign::zero) << "replay: " << i;
+      EXPECT_EQ(distance(cushion, other) > 0, expected == Relation::disjoint) << "replay: " << i;
+      EXPECT_EQ(compare_distance(cushion, other, other, cushion), Sign::zero) << "replay: " << i;
+    };
+    expect(p), expect(Segment3{p, q}), expect(Triangle3{p, q, r}), expect(Sphere3{p, 1}), expect(Capsule3{p, q, 1});
+    expect(Halfspace3{by, q.x}), expect(Line3{p, by}), expect(Obb3{p, {by, {1, 0, 0}, {0, 1, 0}}, {0.25, 1, 1}});
+    const auto as_body = [&](const auto& other) {
+      EXPECT_EQ(gjk_intersects(cushion, other), intersects(cushion, other)) << "replay: " << i;
+      EXPECT_EQ(gjk_distance(cushion, other), distance(cushion, other)) << "replay: " << i;
+      const Closest c = closest_points(cushion, other);
+      EXPECT_EQ(c.distance, distance(cushion, other)) << "replay: " << i;
+      EXPECT_EQ(swapped(closest_points(other, cushion)), c) << "replay: " << i;
+      const auto deep = exact_penetration(cushion, other);
+      EXPECT_EQ(deep.has_value(), intersects(cushion, other)) << "replay: " << i;
+      const auto touch = contact(cushion, other, {.margin = 99});
+      ASSERT_TRUE(touch.has_value()) << "replay: " << i;
+      EXPECT_EQ(touch->relation == Relation::disjoint, !intersects(cushion, other)) << "replay: " << i;
+      if (!intersects(cushion, other)) {
+        EXPECT_EQ(touch->distance, distance(cushion, other)) << "replay: " << i;
+      }
+    };
+    as_body(Segment3{p, q}), as_body(Sphere3{p, 1}), as_body(Tetrahedron3{p, q, r, {0, 0, 0}});
+    const mine::Cushion other{{p, q, r}, 1};
+    EXPECT_EQ(relate(cushion, other), relate(fat, Fat{other.core, 1})) << "replay: " << i;
+    EXPECT_EQ(contains(Aabb3{{-3, -3, -3}, {3, 3, 3}}, cushion),
+              contains(Aabb3{{-3, -3, -3}, {3, 3, 3}}, fit_aabb(cushion)))
+        << "replay: " << i;
+    if (cushion.core.b != cushion.core.c || cushion.radius == 0) continue;
+    ++with_kind;
+    const Capsule3 capsule{cushion.core.a, cushion.core.b, cushion.radius};
+    const auto deep = penetration(cushion, Obb3{p, {by, {1, 0, 0}, {0, 1, 0}}, {0.25, 1, 1}}),
+               of_capsule = penetration(capsule, Obb3{p, {by, {1, 0, 0}, {0, 1, 0}}, {0.25, 1, 1}});
+    EXPECT_EQ(deep.has_value(), of_capsule.has_value()) << "replay: " << i;
+    if (deep) {
+      EXPECT_EQ(deep->depth, of_capsule->depth) << "replay: " << i;
+    }
+    const Ray3 ray{p, by};
+    EXPECT_EQ(first_hit(ray, cushion).has_value(), first_hit(ray, capsule).has_value()) << "replay: " << i;
+    EXPECT_EQ(hits(ray, cushion), hits(ray, capsule)) << "replay: " << i;
+    EXPECT_EQ(first_hit_parameter(ray, cushion), first_hit_parameter(ray, capsule)) << "replay: " << i;
+    EXPECT_EQ(first_contact_time(Translating{cushion, by}, Triangle3{p, q, r}),
+              first_contact_time(Translating{capsule, by}, Triangle3{p, q, r}))
+        << "replay: " << i;
+  }
+  for (const int n : seen) EXPECT_GT(n, 20);
+  EXPECT_GT(with_kind, 100);
+  const mine::Cushion cushion{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, 1}, thin{cushion.core, 0};
+  EXPECT_THROW(first_hit(Ray3{{1, 1, 9}, {0, 0, -1}}, cushion), Unsupported);
+  EXPECT_EQ(first_hit(Ray3{{1, 1, 9}, {0, 0, -1}}, thin)->t, 9);
+  EXPECT_THROW(relate(mine::Cushion{cushion.core, -1}, cushion), InvalidShape);
+}
+
 TEST(OwnFigure, SaysItself) {
   mine::Cushion cushion{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}, 10};
   EXPECT_EQ(name_of_figure(cushion), "cushion");

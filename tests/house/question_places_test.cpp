@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -133,6 +134,57 @@ TEST(QuestionPlaces, HitsTakesWhatFirstHitTakes) {
     if (ray == "Ray" || ray.starts_with("SplitTree<")) continue;  // templates; trees of figures are asked for the first
     EXPECT_TRUE(yes_or_no.contains({ray, shape})) << "hits(" << ray << ", " << shape << ")";
   }
+}
+
+std::string text_of_header(const std::string& header) {
+  std::ifstream in(PLUMB_SOURCE_DIR "/include/plumb/" + header);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// What is asked of two figures: each question says there what it takes.
+std::set<std::string> questions_in(const std::string& text) {
+  static const std::regex question(R"(\n(\w+)\(PLUMB_ANYTHING\))");
+  std::set<std::string> names;
+  for (std::sregex_iterator i(text.begin(), text.end(), question), end; i != end; ++i) names.insert((*i)[1]);
+  return names;
+}
+/// Those that need no overload for an AnyFigure, and why.
+const std::map<std::string, std::string>& without_overload() {
+  static const std::map<std::string, std::string> why{
+      {"closest_parameter", "asked of what is known to be a line"},
+      {"closest_point", "told by closest_points"},
+      {"compare_distance", "a template over distance and exact_distance"},
+      {"first_contact_span", "bounds of the time that first_contact tells"},
+      {"gjk_bounds", "a template over support_point"}};
+  return why;
+}
+
+/// Which of these no AnyFigure can be asked: neither query/variant/questions.hpp declares them, nor do they take whatever
+/// is a ConvexBody3, as it is.
+std::set<std::string> without_any_figure(const std::set<std::string>& questions) {
+  const std::string header = "query/variant/questions.hpp", declared = text_of_header(header);
+  std::string all;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(PLUMB_SOURCE_DIR "/include/plumb/query")) {
+    if (file.is_regular_file())
+      all += text_of_header(std::filesystem::relative(file, PLUMB_SOURCE_DIR "/include/plumb").string());
+  }
+  std::set<std::string> lost;
+  for (const std::string& q : questions) {
+    const std::regex of_bodies(R"(template <ConvexBody3 A, ConvexBody3 B>[^;{}]*[ >])" + q + R"(\()");
+    if (without_overload().contains(q) || !overloads_in(declared, header, {q}).empty()) continue;
+    if (!std::regex_search(all, of_bodies)) lost.insert(q);
+  }
+  return lost;
+}
+
+TEST(QuestionPlaces, EveryQuestionTakesAnyFigure) {
+  std::set<std::string> questions = questions_in(text_of_header("query/body/answered.hpp"));
+  questions.insert({"relate", "intersects", "contains", "locate", "fit_aabb", "support_point"});
+  EXPECT_GT(questions.size(), 25U);
+  for (const std::string& q : without_any_figure(questions))
+    ADD_FAILURE() << q << " takes no AnyFigure: declare it in include/plumb/query/variant/questions.hpp, dispatched in "
+                  << "src/query/variant/, or let it take any ConvexBody3";
+  EXPECT_EQ(without_any_figure({"relate", "new_question"}), std::set<std::string>{"new_question"});
 }
 
 TEST(QuestionPlaces, ANewFunctionIsNoticed) {

@@ -32,7 +32,7 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
       "swept_sphere", "bound", "generated"}},
     {"query",
      {"body", "closest", "convex", "overlap", "ray", "section", "separation", "lp", "certificate", "gjk",
-      "polytope_hierarchy", "vclip", "penetration", "time_of_impact", "kinds"}},
+      "polytope_hierarchy", "vclip", "penetration", "contact", "time_of_impact", "variant", "kinds"}},
     {"space",
      {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence", "grid", "octree", "kd_tree", "sort_and_sweep",
       "broad_phase", "cells"}},

@@ -114,6 +114,42 @@ TEST(Strictness, TextsOfOffThatMeanNothingAreCountedOrRefused) {
   off("OFF\n3 1 0 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "behind the counts", 1, 2, "\"0\"");
 }
 
+TEST(Strictness, ALineThatABackslashTakesIntoANameIsTold) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const std::string name : {"o", "g", "usemtl", "mtllib"})
+    expect_passed_over({points + name + " C:\\parts\\\nv 0 0 1\nf 1 2 3\n",
+                        MeshFormat::obj,
+                        1,
+                        "joined to a name by a backslash",
+                        1,
+                        4,
+                        {},
+                        "v 0 0 1"},
+                       Strictness::usual);
+  EXPECT_TRUE(read(points + "f 1 \\\n2 3\no a\\b\n", MeshFormat::obj, Strictness::strict).report.passed_over.empty());
+}
+
+TEST(Strictness, CornersWithNothingBehindASlashAreReadLeniently) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const std::string corner : {"1/", "1/1/", "1//"})
+    expect_passed_over(
+        {points + "f " + corner + " 2 3\n", MeshFormat::obj, 1, "nothing behind a slash", 1, 4, {}, corner},
+        Strictness::lenient);
+}
+
+TEST(Strictness, APlyMayHaveEachNumberOnALineOfItsOwn) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0\n0\n0\n1\n0\n0\n0\n1\n0\n3\n0\n1\n2\n";
+  for (const Strictness strictness : {Strictness::strict, Strictness::usual, Strictness::lenient}) {
+    const Read r = read(ply, MeshFormat::ply, strictness);
+    EXPECT_EQ(r.error, "");
+    EXPECT_EQ(r.report.faces, 1U);
+    EXPECT_TRUE(r.report.passed_over.empty());
+  }
+}
+
 std::string facet_of(const std::string& begin, const std::string& corners) {
   return " " + begin + "\n  outer loop\n" + corners + "  endloop\n endfacet\n";
 }
@@ -135,6 +171,13 @@ TEST(Strictness, WhatOthersReadOfTextStlIsReadLeniently) {
       "\"color 1 0 0\"");
   stl("solid x\n" + low_facet + "color 1 0 0 " + high_facet.substr(1) + end, "lines among the facets", 1, 9,
       "\"color 1 0 0");
+  stl("solid x\n" + both + "end solid x\n", "blanks within a word", 1, 16, "\"end\"");
+  std::string in_two_words = both;
+  for (const std::string word : {"loop", "facet"}) {
+    for (std::size_t at = 0; (at = in_two_words.find("end" + word, at)) != std::string::npos;)
+      in_two_words.insert(at + 3, 1, ' ');
+  }
+  stl("solid x\n" + in_two_words + end, "blanks within a word", 4, 7, "\"end\"");
   stl("solid x\n" + facet_of("facet", low) + facet_of("facet", high) + end, "without a normal", 2, 2, "\"facet\"");
   stl("solid x\n" + low_facet + facet_of("facet normal", high) + end, "without a normal", 1, 9, "\"facet normal\"");
   for (const std::string& broken : {"solid x\n" + low_facet + " facet normal 0 0 0\n  outer loop\n" + low,

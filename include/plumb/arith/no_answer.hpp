@@ -16,6 +16,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <type_traits>
 
 #include "plumb/predicates/standard.hpp"
@@ -26,6 +27,7 @@ namespace plumb::arith {
 struct Anything {
   template <class T>
   Anything(const T&);  // NOLINT: the one argument that every call has an overload for
+  Anything(std::initializer_list<Anything>);
   Anything();
 };
 

@@ -13,6 +13,7 @@
 // Cost: none; exact_matrix some 5 ns.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -54,6 +55,11 @@ struct RigidChain2 {
   friend bool operator==(const RigidChain2&, const RigidChain2&) = default;
 };
 
+template <class By>
+concept PoseOfSpace = std::same_as<By, Pose> || std::same_as<By, RigidPose> || std::same_as<By, RigidChain>;
+template <class By>
+concept PoseOfPlane = std::same_as<By, Pose2> || std::same_as<By, RigidPose2> || std::same_as<By, RigidChain2>;
+
 /// The matrix of a turn times its weight, the square of the quaternion's length: all of them doubles, not rounded.
 struct TurnMatrix {
   std::array<Vector3, 3> columns;
@@ -66,20 +72,20 @@ struct TurnMatrix2 {
 
 namespace arith {
 
-/// Whole multiples of 2^-25 of which the sum of squares is at most 8: sums of their products are whole multiples of
-/// 2^-50 below 2^3, which are doubles.
+/// Whole multiples of 2^-25 of which the sum of squares is below 8: sums of their products are whole multiples of 2^-50
+/// below 2^3, which are doubles.  A sum of 8 may be one that was rounded down to it.
 constexpr bool is_on_turn_lattice(double w, double x, double y, double z) {
   const auto is_whole = [](double a) {
     const double k = a * 0x1p25;
     return k >= -0x1p27 && k <= 0x1p27 && k == static_cast<double>(static_cast<std::int64_t>(k));
   };
-  return is_whole(w) && is_whole(x) && is_whole(y) && is_whole(z) && w * w + x * x + y * y + z * z <= 8;
+  return is_whole(w) && is_whole(x) && is_whole(y) && is_whole(z) && w * w + x * x + y * y + z * z < 8;
 }
 
 }  // namespace arith
 
 /// Nothing where a number of it would have to be rounded, and for zero.  Always there for multiples of 2^-25 of a length
-/// up to the root of 8, which nearest_rotation makes (figure/basic/rotation.hpp).
+/// below the root of 8, as nearest_rotation makes them (figure/basic/rotation.hpp).
 constexpr std::optional<TurnMatrix> exact_matrix(const Rotation& q) {
   const auto& [w, x, y, z] = q;
   const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, weight = ww + xx + yy + zz;

@@ -9,6 +9,7 @@
 namespace plumb {
 
 enum class Sign : signed char;
+struct Point3;
 
 template <class Answer = Sign>
 PLUMB_NO_ANSWER(Answer,
@@ -33,6 +34,12 @@ PLUMB_NO_ANSWER(Answer,
                 "plumb: insphere takes five Point3, or points that are implicit; of many cases five spans of Point3 "
                 "and a span of Sign to write to")
 insphere(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = Point3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: approximate takes what is known exactly: an implicit or posed point, or what intersection, "
+                "closest points and contacts answer; the corners of a figure are doubles as they stand")
+approximate(PLUMB_ANYTHING) PLUMB_DELETED;
 
 /// No template, of which Clang would say it twice.
 PLUMB_NO_ANSWER(bool,

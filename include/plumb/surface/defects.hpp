@@ -11,8 +11,9 @@
 // exact, and the same on every number of threads.
 // A length that is NaN or infinite throws NonFinite, a negative one InvalidShape.
 // Source: RTCD 12.1, 12.3.
-// Cost: non_manifold_vertices linear; vertices_on_edges a descent for each vertex; coincident_triangles first_equal, and linear but for heaps;
-// close_vertices a k-d tree and a search for each vertex, whatever the length.
+// Cost: non_manifold_vertices linear; vertices_on_edges a descent for each vertex; coincident_triangles first_equal,
+// and linear but for heaps; close_vertices a k-d tree and a search for each vertex, whatever the length.  Bounded by
+// n^2 pairs of vertices, or of a vertex and an edge, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

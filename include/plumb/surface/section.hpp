@@ -25,7 +25,8 @@
 // Source: RTCD 8.3.4 (thick planes aside); Minetto et al. 2017 for many planes.
 // Cost: linear in the triangles, and below a microsecond for each that is cut; nesting n log n in the corners, and
 // below a microsecond for each pair of contours whose boxes lie in each other.  Many planes of one normal look at each
-// vertex once, and at each triangle where they reach it; planes are shared out among threads.
+// vertex once, and at each triangle where they reach it; planes are shared out among threads.  Bounded by n^2
+// operations for the nesting, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -26,8 +26,9 @@
 // A triangle that names no vertex throws InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 5.4.3, 12.3; Zhou et al. 2016 for cells at edges of many triangles.
 // Cost: that of a tree and of its pairs of triangles that meet (plumb/space/pairs/mesh_pairs.hpp); n log n for edges;
-// 0.3 us a triangle for volumes; a descent for each shell where there are several, for each vertex of those that touch or
-// cross another, and for each of their triangles that does.  Memory: a word for each pair of shells that cross.
+// 0.3 us a triangle for volumes; a descent for each shell where there are several, for each vertex of those that touch
+// or cross another, and for each of their triangles that does.  Memory: a word for each pair of shells that cross.
+// Bounded by n^2 tests of pairs, and n for each shell, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 // Equality of vertices and zero area are exact.  A face that names a vertex twice bounds nothing: it is counted, and
 // lends its edges to no list.
 // Source: RTCD 12.2.2, 12.3, 12.4.
-// Cost: O(n log n), by sorting.
+// Cost: O(n log n), by sorting.  Bounded by n log n operations.
 #pragma once
 
 #include <array>

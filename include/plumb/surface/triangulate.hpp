@@ -9,7 +9,7 @@
 // and is counted.
 // Source: RTCD 12.5.1, 12.5.1.1 (ears).  Coverage: winding numbers add up over triangles that all turn the same way.
 // Cost: linear for triangles, quadrilaterals and faces that a fan about the first corner tiles, otherwise at worst
-// quadratic in the corners.
+// quadratic in the corners.  Bounded by n^2 signs a face, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

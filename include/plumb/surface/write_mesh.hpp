@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "plumb/arith/no_answer.hpp"
 #include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/mesh_file.hpp"
 
@@ -27,6 +28,12 @@ struct WriteOptions {
 /// Throws MeshFileError; NonFinite for a NaN or infinity, Error for an index out of range, in the mesh.
 void write_mesh(const std::string& path, const PolygonMesh& mesh, const WriteOptions& options = {});
 void write_mesh(const std::string& path, const TriangleMesh& mesh, const WriteOptions& options = {});
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: write_mesh takes a path and then a TriangleMesh or PolygonMesh, and WriteOptions: "
+                "write_mesh(\"part.stl\", mesh)")
+write_mesh(PLUMB_ANYTHING) PLUMB_DELETED;
 
 /// The bytes of the file that write_mesh would write.  `name` stands for the file in errors.
 std::string format_mesh(const PolygonMesh& mesh, MeshFormat format, std::optional<MeshEncoding> encoding = {},

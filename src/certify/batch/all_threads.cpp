@@ -1,6 +1,6 @@
 #include "certify/batch/all_threads.hpp"
 
-#include "certify/batch/shared_work.hpp"
+#include "certify/batch/thread_pool.hpp"
 
 namespace plumb::certify::batch {
 

@@ -1,4 +1,4 @@
-// Work in parts that do not depend on each other, on all threads where asked: who takes part says shared_work.hpp.
+// Work in parts that do not depend on each other, on all threads where asked: who takes part says thread_pool.hpp.
 //
 // Cost: a call by a pointer a part.  As a template of the work each loop would be compiled as often as it is asked.
 #pragma once

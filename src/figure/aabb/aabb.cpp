@@ -4,7 +4,7 @@
 
 #include "figure/aabb/ranges.hpp"
 #include "figure/basic/finite_parts.hpp"
-#include "plumb/certify/direction.hpp"
+#include "figure/basic/image_order.hpp"
 #include "plumb/figure/basic/sound.hpp"
 
 namespace plumb {
@@ -13,6 +13,27 @@ namespace {
 using figure::require_finite_points;
 
 using namespace figure::box;
+
+/// Between the images of two points, which are the extreme ones.
+Range range_of_image(std::string_view function, const figure::CertainPose& pose, std::size_t axis, const Point3& least,
+                     const Point3& greatest) {
+  const auto bound = [&](Rounding rounding, const Point3& p, std::string_view name) {
+    const auto numerator = [&]<class T>(const figure::PoseNumbers<T>& n) { return n.image(arith::vec<T>(p), axis); };
+    return figure::within_doubles(pose.rounded(rounding, numerator), function, name);
+  };
+  return {bound(Rounding::down, least, min_name[axis]), bound(Rounding::up, greatest, max_name[axis])};
+}
+
+/// Each term takes the end that the sign of its factor names.
+Range range_of_image(const figure::CertainPose& pose, std::size_t axis, const Aabb3& box) {
+  const auto is_negative = [&](std::size_t column) {
+    return pose.sign([&](const auto& n) { return n.entry(axis, column); }) == Sign::negative;
+  };
+  const bool x = is_negative(0), y = is_negative(1), z = is_negative(2);
+  const auto& [min, max] = box;
+  return range_of_image("transform", pose, axis, {x ? max.x : min.x, y ? max.y : min.y, z ? max.z : min.z},
+                        {x ? min.x : max.x, y ? min.y : max.y, z ? min.z : max.z});
+}
 
 [[noreturn]] void throw_no_points() { throw InvalidShape("fit_aabb: no points; give at least one"); }
 
@@ -40,28 +61,24 @@ Aabb3 fit_aabb(std::span<const Point3> points) {
   return b;
 }
 
-Aabb3 fit_aabb(std::span<const Point3> points, const Pose& pose) {
+Aabb3 fit_aabb(std::span<const Point3> points, PoseView pose) {
   if (points.empty()) throw_no_points();
   require_finite_points("fit_aabb", "points", points);
-  const auto& [c, t] = pose;
   figure::require_sound("fit_aabb", pose);
-  const auto range = [&](std::size_t axis, double translation, const Vector3& row) {
+  const figure::CertainPose moved(pose);
+  const figure::ImageOrder order(moved);
+  const auto range = [&](std::size_t axis) {
     const Point3 *least = points.data(), *greatest = least;
     for (const Point3& p : points) {
-      if (sign_of(predicates::OrderAlongDirection3d{}, p, *greatest, row) == Sign::positive) {
+      if (order(axis, p, *greatest) == Sign::positive) {
         greatest = &p;
-      } else if (sign_of(predicates::OrderAlongDirection3d{}, p, *least, row) == Sign::negative) {
+      } else if (order(axis, p, *least) == Sign::negative) {
         least = &p;
       }
     }
-    const auto bound = [&](Rounding rounding, const Point3& p, std::string_view name) {
-      return figure::within_doubles(rounded_value(rounding, image, translation, row.x, p.x, row.y, p.y, row.z, p.z),
-                                    "fit_aabb", name);
-    };
-    return Range{bound(Rounding::down, *least, min_name[axis]), bound(Rounding::up, *greatest, max_name[axis])};
+    return range_of_image("fit_aabb", moved, axis, *least, *greatest);
   };
-  return box_of(range(0, t.x, {c[0].x, c[1].x, c[2].x}), range(1, t.y, {c[0].y, c[1].y, c[2].y}),
-                range(2, t.z, {c[0].z, c[1].z, c[2].z}));
+  return box_of(range(0), range(1), range(2));
 }
 
 Aabb2 merge(const Aabb2& a, const Aabb2& b) {
@@ -82,25 +99,21 @@ Aabb3 merge(const Aabb3& a, const Aabb3& b) {
           {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
 }
 
-Aabb2 transform(const Aabb2& box, const Pose2& pose) {
-  const auto& [c, t] = pose;
+Aabb2 transform(const Aabb2& box, PoseView2 pose) {
   figure::require_sound("transform", box);
   figure::require_sound("transform", pose);
   if (is_empty(box)) return box;
-  const std::array from{box.min.x, box.min.y, 0.0}, to{box.max.x, box.max.y, 0.0};
-  return box_of(range_of_image("transform", 0, t.x, {c[0].x, c[1].x, 0}, from, to),
-                range_of_image("transform", 1, t.y, {c[0].y, c[1].y, 0}, from, to));
+  const figure::CertainPose moved(pose);
+  const Aabb3 raised{{box.min.x, box.min.y, 0}, {box.max.x, box.max.y, 0}};
+  return box_of(range_of_image(moved, 0, raised), range_of_image(moved, 1, raised));
 }
 
-Aabb3 transform(const Aabb3& box, const Pose& pose) {
-  const auto& [c, t] = pose;
+Aabb3 transform(const Aabb3& box, PoseView pose) {
   figure::require_sound("transform", box);
   figure::require_sound("transform", pose);
   if (is_empty(box)) return box;
-  const std::array from{box.min.x, box.min.y, box.min.z}, to{box.max.x, box.max.y, box.max.z};
-  return box_of(range_of_image("transform", 0, t.x, {c[0].x, c[1].x, c[2].x}, from, to),
-                range_of_image("transform", 1, t.y, {c[0].y, c[1].y, c[2].y}, from, to),
-                range_of_image("transform", 2, t.z, {c[0].z, c[1].z, c[2].z}, from, to));
+  const figure::CertainPose moved(pose);
+  return box_of(range_of_image(moved, 0, box), range_of_image(moved, 1, box), range_of_image(moved, 2, box));
 }
 
 Aabb2 expand(const Aabb2& box, double margin) {

@@ -17,17 +17,17 @@ namespace plumb::figure::box {
 inline constexpr auto image = [](auto t, auto m0, auto x0, auto m1, auto x1, auto m2, auto x2) {
   return t + (m0 * x0 + m1 * x1 + m2 * x2);
 };
-inline constexpr auto sum = [](auto a, auto b, auto c, auto d) { return (a + b) + (c + d); };
+inline constexpr auto sum_of_four = [](auto a, auto b, auto c, auto d) { return (a + b) + (c + d); };
 
 inline constexpr std::array<std::string_view, 3> min_name{"min.x", "min.y", "min.z"},
     max_name{"max.x", "max.y", "max.z"};
 
 inline double least_sum(std::string_view function, std::size_t axis, double a, double b, double c = 0, double d = 0) {
-  return within_doubles(rounded_value(Rounding::down, sum, a, b, c, d), function, min_name[axis]);
+  return within_doubles(rounded_value(Rounding::down, sum_of_four, a, b, c, d), function, min_name[axis]);
 }
 inline double greatest_sum(std::string_view function, std::size_t axis, double a, double b, double c = 0,
                            double d = 0) {
-  return within_doubles(rounded_value(Rounding::up, sum, a, b, c, d), function, max_name[axis]);
+  return within_doubles(rounded_value(Rounding::up, sum_of_four, a, b, c, d), function, max_name[axis]);
 }
 
 struct Range {

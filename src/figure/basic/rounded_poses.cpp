@@ -3,6 +3,7 @@
 
 #include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "plumb/certify/determinant_sign.hpp"
 
 namespace plumb {
@@ -108,22 +109,42 @@ Numbers<N> image(std::string_view function, const PoseColumns<N>& m, const Numbe
   return y;
 }
 
-template <bool Moved, class Part, class AnyPose>
-Part rounded_part(const AnyPose& pose, const Part& part) {
-  const auto m = columns_of(pose);
-  require_finite_pose("rounded_image", "pose", m);
-  require_finite_parts("rounded_image", {Moved ? "p" : "v"}, part);
-  return made_of<Part>(image<Moved>("rounded_image", m, coordinates(part)));
+/// A number of the image, times the weight.
+template <bool Moved, class T, class Part>
+T image_number(const figure::PoseNumbers<T>& pose, const Part& part, std::size_t i) {
+  const arith::Vec<T> x = arith::vec<T>(part);
+  return Moved ? pose.image(x, i) : pose.turned(x, i);
 }
 
-template <class Point, class AnyPose>
-std::optional<Point> exact_part(const AnyPose& pose, const Point& p) {
-  const auto m = columns_of(pose);
-  require_finite_pose("exact_image", "pose", m);
+template <bool Moved, class View, class Part>
+Part rounded_part(View view, const Part& x) {
+  figure::require_sound("rounded_image", view);
+  require_finite_parts("rounded_image", {Moved ? "p" : "v"}, x);
+  const figure::CertainPose pose(view);
+  auto y = coordinates(x);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    y[i] = pose.rounded(Rounding::nearest, [&](const auto& numbers) { return image_number<Moved>(numbers, x, i); });
+    figure::within_doubles(y[i], "rounded_image", "a number of the image");
+  }
+  return made_of<Part>(y);
+}
+
+template <class Point, class View>
+std::optional<Point> exact_part(View view, const Point& p) {
+  figure::require_sound("exact_image", view);
   require_finite_parts("exact_image", {"p"}, p);
-  bool exact = true;
-  const auto y = image<true>("exact_image", m, coordinates(p), &exact);
-  return exact ? std::optional(made_of<Point>(y)) : std::nullopt;
+  const figure::CertainPose pose(view);
+  auto y = coordinates(p);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const double made = y[i] =
+        pose.rounded(Rounding::nearest, [&](const auto& numbers) { return image_number<true>(numbers, p, i); });
+    if (made - made != 0) return {};
+    const auto less = [&]<class T>(const figure::PoseNumbers<T>& numbers) {
+      return T(image_number<true>(numbers, p, i) - numbers.weight * T(made));
+    };
+    if (pose.sign(less) != Sign::zero) return {};
+  }
+  return made_of<Point>(y);
 }
 
 template <std::size_t N>
@@ -246,13 +267,13 @@ Sign turn_of(const PoseColumns<N>& m) {
 
 }  // namespace
 
-Point2 rounded_image(const Pose2& pose, const Point2& p) { return rounded_part<true>(pose, p); }
-Point3 rounded_image(const Pose& pose, const Point3& p) { return rounded_part<true>(pose, p); }
-Vector2 rounded_image(const Pose2& pose, const Vector2& v) { return rounded_part<false>(pose, v); }
-Vector3 rounded_image(const Pose& pose, const Vector3& v) { return rounded_part<false>(pose, v); }
+Point2 rounded_image(PoseView2 pose, const Point2& p) { return rounded_part<true>(pose, p); }
+Point3 rounded_image(PoseView pose, const Point3& p) { return rounded_part<true>(pose, p); }
+Vector2 rounded_image(PoseView2 pose, const Vector2& v) { return rounded_part<false>(pose, v); }
+Vector3 rounded_image(PoseView pose, const Vector3& v) { return rounded_part<false>(pose, v); }
 
-std::optional<Point2> exact_image(const Pose2& pose, const Point2& p) { return exact_part(pose, p); }
-std::optional<Point3> exact_image(const Pose& pose, const Point3& p) { return exact_part(pose, p); }
+std::optional<Point2> exact_image(PoseView2 pose, const Point2& p) { return exact_part(pose, p); }
+std::optional<Point3> exact_image(PoseView pose, const Point3& p) { return exact_part(pose, p); }
 
 Pose2 rounded_composition(const Pose2& outer, const Pose2& inner) {
   return pose_of(composition("rounded_composition", columns_of(outer), columns_of(inner)));

@@ -40,6 +40,10 @@ void refuse_surface(std::string_view function, const std::string& name) {
   refuse_shape(function, name, " has no faces; make it by convex_polyhedron");
 }
 
+void refuse_turn(std::string_view function, const std::string& name) {
+  refuse_shape(function, name, " is zero, which is no turn; give a quaternion with a number that is not zero");
+}
+
 std::string name_of_part(const std::string& whole, std::string_view part) {
   return part.empty() ? whole : std::string(whole).append(".").append(part);
 }
@@ -48,11 +52,12 @@ std::string name_of_item(const std::string& list, std::size_t i) {
   return std::string(list).append("[").append(std::to_string(i)).append("]");
 }
 
-void refuse_number(std::string_view function, const std::string& name, std::span<const double> numbers) {
+void refuse_number(std::string_view function, const std::string& name, std::span<const double> numbers,
+                   std::string_view letters) {
   for (const double x : numbers) {
     if (x - x == 0) continue;
     const std::array<std::string_view, 1> names{name};
-    throw_non_finite(function, std::array{static_cast<int>(numbers.size())}, numbers, "xyz", names);
+    throw_non_finite(function, std::array{static_cast<int>(numbers.size())}, numbers, letters, names);
   }
 }
 

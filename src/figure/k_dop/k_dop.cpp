@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "certify/rounded.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "figure/k_dop/sets.hpp"
 
 namespace plumb {
@@ -26,22 +27,6 @@ Sign farther(const Point2& p, const Point2& q, const Vector2& d) {
 Sign farther(const Point3& p, const Point3& q, const Vector3& d) {
   return sign_of(predicates::OrderAlongDirection3d{}, p, q, d);
 }
-
-struct AlongImage {
-  static constexpr std::string_view name = "fit_k_dop";
-  static constexpr std::array arguments{3, 3, 3, 3, 3, 3};
-  static constexpr std::array<std::string_view, 6> argument_names{
-      "points[i]", "direction", "pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation",
-  };
-  static constexpr bool homogeneous = false;
-  template <class T>
-  constexpr auto operator()(const std::array<T, 18>& p) const {
-    const auto coordinate = [&](std::size_t i) {
-      return p[15 + i] + (p[6 + i] * p[0] + p[9 + i] * p[1] + p[12 + i] * p[2]);
-    };
-    return p[3] * coordinate(0) + p[4] * coordinate(1) + p[5] * coordinate(2);
-  }
-};
 
 // Of p against q; the translation is in neither.
 struct FartherAlongImage {
@@ -182,16 +167,22 @@ KDop2 fit_k_dop(std::span<const Point2> points, const Directions2& directions) {
 KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions) { return fit(points, directions); }
 KDop3 fit_k_dop(std::span<const Point3> points, int k) { return fit(points, k_dop_directions(k)); }
 
-KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, const Pose& pose) {
-  const auto& c = pose.columns;
+KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, PoseView pose) {
   figure::require_sound("fit_k_dop", pose);
+  const figure::CertainPose moved(pose);
+  const auto columns = moved.columns();
   return fit(
       points, directions,
       [&](const Point3& p, const Point3& q, const Vector3& d) {
-        return sign_of(FartherAlongImage{}, p, q, d, c[0], c[1], c[2]);
+        if (columns) return sign_of(FartherAlongImage{}, p, q, d, (*columns)[0], (*columns)[1], (*columns)[2]);
+        return moved.sign([&]<class T>(const figure::PoseNumbers<T>& n) {
+          return dot(arith::vec<T>(d), n.turned(arith::vec<T>(p) - arith::vec<T>(q)));
+        });
       },
       [&](Rounding r, const Point3& p, const Vector3& d) {
-        return rounded_value(r, AlongImage{}, p, d, c[0], c[1], c[2], pose.translation);
+        return moved.rounded(r, [&]<class T>(const figure::PoseNumbers<T>& n) {
+          return dot(arith::vec<T>(d), n.image(arith::vec<T>(p)));
+        });
       });
 }
 

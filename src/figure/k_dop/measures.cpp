@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "arith/big_rounding.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "figure/k_dop/sets.hpp"
 
 namespace plumb {
@@ -27,10 +28,17 @@ double greatest(const arith::RationalVector& direction, const mpq_class& by, con
   return within_doubles(rounded(rounding, arith::dot(direction, farthest.at) + by), function, part);
 }
 
-// The interval of each direction, of the image under columns and translation.
-template <class Vector, std::size_t n>
-KDop<Vector> image(std::string_view function, const KDop<Vector>& k_dop, const std::array<Vector, n>& columns,
-                   const Vector& translation) {
+/// The first numbers of a vector of space, over another number.
+arith::RationalVector quotients(const arith::Vec<mpq_class>& v, const mpq_class& by, std::size_t dimension) {
+  arith::RationalVector made{mpq_class(v.x / by), mpq_class(v.y / by)};
+  if (dimension == 3) made.push_back(mpq_class(v.z / by));
+  return made;
+}
+
+// The interval of each direction, of the image under the pose.
+template <class Vector>
+KDop<Vector> image(std::string_view function, const KDop<Vector>& k_dop, const PoseNumbers<mpq_class>& pose) {
+  constexpr std::size_t dimension = coordinate_count<Vector>;
   require_sound(function, k_dop);
   const arith::Constraints set = halfspaces(k_dop);
   if (is_empty(set)) return no_points(k_dop);
@@ -38,8 +46,9 @@ KDop<Vector> image(std::string_view function, const KDop<Vector>& k_dop, const s
   for (const Vector& d : k_dop.directions.all()) {
     const arith::RationalVector direction = rational(d);
     arith::RationalVector pulled;  // direction . (M x) = pulled . x
-    for (const Vector& column : columns) pulled.push_back(arith::dot(direction, rational(column)));
-    const mpq_class by = arith::dot(direction, rational(translation));
+    for (std::size_t j = 0; j < dimension; ++j)
+      pulled.push_back(arith::dot(direction, quotients(pose.columns[j], pose.weight, dimension)));
+    const mpq_class by = arith::dot(direction, quotients(pose.translation, pose.weight, dimension));
     const std::string part = std::string("directions[").append(std::to_string(result.max.size())).append("]");
     result.max.push_back(greatest(pulled, by, set, function, part));
     for (mpq_class& x : pulled) x = -x;
@@ -48,11 +57,11 @@ KDop<Vector> image(std::string_view function, const KDop<Vector>& k_dop, const s
   return result;
 }
 
-template <class Vector, std::size_t n>
-KDop<Vector> tight(const KDop<Vector>& k_dop, const std::array<Vector, n>& axes) {
+template <class Vector>
+KDop<Vector> tight(const KDop<Vector>& k_dop) {
   require_sound("tighten", k_dop);
   if (has_empty_interval(k_dop)) return no_points(k_dop);
-  return image("tighten", k_dop, axes, Vector{});
+  return image("tighten", k_dop, pose_numbers<mpq_class>(identity_pose));
 }
 
 // Corners in turn, in two coordinates.
@@ -194,10 +203,8 @@ double support_value(const KDop3& k_dop, const Vector3& direction, Rounding roun
   return value_along(k_dop, direction, rounding);
 }
 
-KDop2 tighten(const KDop2& k_dop) { return tight(k_dop, std::array{Vector2{1, 0}, Vector2{0, 1}}); }
-KDop3 tighten(const KDop3& k_dop) {
-  return tight(k_dop, std::array{Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}});
-}
+KDop2 tighten(const KDop2& k_dop) { return tight(k_dop); }
+KDop3 tighten(const KDop3& k_dop) { return tight(k_dop); }
 
 Aabb2 fit_aabb(const KDop2& k_dop) {
   require_sound("fit_aabb", k_dop);
@@ -218,16 +225,14 @@ Aabb3 fit_aabb(const KDop3& k_dop) {
           {along(1, 0, 0, "max.x"), along(0, 1, 0, "max.y"), along(0, 0, 1, "max.z")}};
 }
 
-KDop2 transform(const KDop2& k_dop, const Pose2& pose) {
-  const auto& [c, t] = pose;
+KDop2 transform(const KDop2& k_dop, PoseView2 pose) {
   figure::require_sound("transform", pose);
-  return image("transform", k_dop, c, t);
+  return image("transform", k_dop, pose_numbers<mpq_class>(pose));
 }
 
-KDop3 transform(const KDop3& k_dop, const Pose& pose) {
-  const auto& [c, t] = pose;
+KDop3 transform(const KDop3& k_dop, PoseView pose) {
   figure::require_sound("transform", pose);
-  return image("transform", k_dop, c, t);
+  return image("transform", k_dop, pose_numbers<mpq_class>(pose));
 }
 
 double area(const KDop2& k_dop) {

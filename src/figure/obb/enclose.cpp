@@ -40,22 +40,19 @@ std::optional<double> reach(const Measure<N>& m, const Point3& center, const Poi
 }
 
 template <class N>
-Vec<N> image(const Vec<N>& v, const Pose& pose) {
-  return vec<N>(pose.columns[0]) * v.x + vec<N>(pose.columns[1]) * v.y + vec<N>(pose.columns[2]) * v.z;
-}
-
-template <class N>
 std::optional<double> reach(const Measure<N>& m, const Point3& center, const Body& body) {
-  Vec<N> middle = vec<N>(body.box.center);
-  if (body.pose != nullptr) middle = image(middle, *body.pose) + vec<N>(body.pose->translation);
-  N sum = magnitude(dot(m.normal, middle - vec<N>(center)));
+  // What is measured of an image is measured times its weight.
+  const PoseNumbers<N>* pose = body.pose == nullptr ? nullptr : &body.pose->in<N>();
+  const Vec<N> place = vec<N>(body.box.center);
+  N sum = magnitude(
+      dot(m.normal, pose == nullptr ? place - vec<N>(center) : pose->image(place) - vec<N>(center) * pose->weight));
   const std::array half{body.box.half.x, body.box.half.y, body.box.half.z};
   for (std::size_t j = 0; j < 3; ++j) {
     Vec<N> axis = vec<N>(body.box.axes[j]);
-    if (body.pose != nullptr) axis = image(axis, *body.pose);
+    if (pose != nullptr) axis = pose->turned(axis);
     sum = sum + magnitude(N(half[j]) * dot(m.normal, axis));
   }
-  return quotient_up(sum, m.volume);
+  return quotient_up(sum, pose == nullptr ? m.volume : m.volume * pose->weight);
 }
 
 // The largest reach of all of them, by pairs of doubles where these suffice.

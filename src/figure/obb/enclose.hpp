@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "plumb/arith/pose.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "plumb/figure/basic/box.hpp"
 
 namespace plumb::figure::enclosing {
@@ -22,11 +22,14 @@ Vector3 half(const std::array<Vector3, 3>& axes, const Point3& center, std::span
 /// The image of a box under a pose, none for the identity.
 struct Body {
   const Obb3& box;
-  const Pose* pose = nullptr;
+  const CertainPose* pose = nullptr;
 };
 Vector3 half(const std::array<Vector3, 3>& axes, const Point3& center, std::span<const Body> bodies);
 
 /// A center for the points that makes half extents small; by doubles.
 Point3 center(const std::array<Vector3, 3>& axes, std::span<const Point3> points);
+
+/// Makes a box around the image of the box.
+Obb3 transformed(const Obb3& box, const CertainPose& pose);
 
 }  // namespace plumb::figure::enclosing

@@ -183,26 +183,29 @@ Obb3 merge(const Obb3& a, const Obb3& b) {
   return checked(*best, "merge");
 }
 
-Obb3 transform(const Obb3& box, const Pose& pose) {
-  figure::require_sound("transform", box);
-  figure::require_sound("transform", pose);
-  const auto row = [&](double Vector3::*c, const auto& v, double add) {
-    return rounded_value(
-        Rounding::nearest,
-        [](auto x, auto y, auto z, auto a, auto b, auto d, auto t) { return (x * a + (y * b + z * d)) + t; },
-        pose.columns[0].*c, pose.columns[1].*c, pose.columns[2].*c, v.x, v.y, v.z, add);
+Obb3 figure::enclosing::transformed(const Obb3& box, const CertainPose& pose) {
+  const auto rounded = [&](const auto& v, bool is_point) {
+    const auto number = [&](std::size_t axis) {
+      return pose.rounded(Rounding::nearest, [&]<class T>(const PoseNumbers<T>& n) {
+        const arith::Vec<T> x = arith::vec<T>(v);
+        return is_point ? n.image(x, axis) : n.turned(x, axis);
+      });
+    };
+    return Vector3{number(0), number(1), number(2)};
   };
-  const auto image = [&](const Vector3& v) {
-    return Vector3{row(&Vector3::x, v, 0), row(&Vector3::y, v, 0), row(&Vector3::z, v, 0)};
-  };
-  const Point3 center{row(&Vector3::x, box.center, pose.translation.x),
-                      row(&Vector3::y, box.center, pose.translation.y),
-                      row(&Vector3::z, box.center, pose.translation.z)};
-  const Axes images{image(box.axes[0]), image(box.axes[1]), image(box.axes[2])};
+  const Vector3 c = rounded(box.center, true);
+  const Point3 center{c.x, c.y, c.z};
+  const Axes images{rounded(box.axes[0], false), rounded(box.axes[1], false), rounded(box.axes[2], false)};
   (void)checked({center, images, {0, 0, 0}}, "transform");
   const Axes axes = spanning(images);
-  const figure::enclosing::Body body{box, &pose};
-  return checked({center, axes, figure::enclosing::half(axes, center, std::span(&body, 1))}, "transform");
+  const Body body{box, &pose};
+  return checked({center, axes, half(axes, center, std::span(&body, 1))}, "transform");
+}
+
+Obb3 transform(const Obb3& box, PoseView pose) {
+  figure::require_sound("transform", box);
+  figure::require_sound("transform", pose);
+  return figure::enclosing::transformed(box, figure::CertainPose(pose));
 }
 
 }  // namespace plumb

@@ -1,5 +1,7 @@
 // Rectangles as what stands on them: boxes of height two, whose third axis is that of space.
 #include "figure/basic/in_space.hpp"
+#include "figure/obb/enclose.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/obb/obb.hpp"
 
 namespace plumb {
@@ -31,9 +33,10 @@ Obb2 oriented_box(const Aabb2& box) {
 // Of boxes of one height the volumes are as the areas.
 Obb2 merge(const Obb2& a, const Obb2& b) { return flattened(merge(raised(a), raised(b))); }
 
-Obb2 transform(const Obb2& box, const Pose2& pose) {
-  const auto& [c, t] = pose;
-  return flattened(transform(raised(box), Pose{{in_space(c[0]), in_space(c[1]), upward}, in_space(t)}));
+Obb2 transform(const Obb2& box, PoseView2 pose) {
+  figure::require_sound("transform", box);
+  figure::require_sound("transform", pose);
+  return flattened(figure::enclosing::transformed(raised(box), figure::CertainPose(pose)));
 }
 
 }  // namespace plumb

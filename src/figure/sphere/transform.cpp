@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "certify/rounded.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "figure/sphere/ball_reach.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/figure/basic/sound.hpp"
@@ -87,79 +87,76 @@ double stretch(std::string_view function, const std::array<Vector3, 3>& m) {
   return s;
 }
 
-std::array<Vector3, 3> in_space(const Pose2& pose) {
+std::array<Vector3, 3> columns_of(const Pose2& pose) {
   const auto& [u, v] = pose.columns;
   return {{{u.x, u.y, 0}, {v.x, v.y, 0}, {0, 0, 0}}};
 }
+std::array<Vector3, 3> columns_of(const Pose& pose) { return pose.columns; }
 
-void require_pose(std::string_view function, const Pose2& pose) { figure::require_sound(function, pose); }
-void require_pose(std::string_view function, const Pose& pose) { figure::require_sound(function, pose); }
+template <class View>
+double stretch_of(std::string_view function, View pose) {
+  return pose.visit([&](const auto& is) {
+    if constexpr (requires { is.columns; }) {
+      return stretch(function, columns_of(is));
+    } else {
+      return 1.0;  // no length changes
+    }
+  });
+}
 
 /// A coordinate of the image of the center, and how far from it the exact one may be.
 struct ImageAxis {
   double value;
   Interval off;
 };
-template <class Polynomial, class... Numbers>
-ImageAxis axis(Polynomial polynomial, Numbers... x) {
-  const double down = rounded_value(Rounding::down, polynomial, x...);
-  const double up = rounded_value(Rounding::up, polynomial, x...);
+template <class Center>
+ImageAxis axis(const CertainPose& pose, const Center& center, std::size_t i) {
+  const auto rounded = [&](Rounding rounding) {
+    return pose.rounded(rounding, [&]<class T>(const PoseNumbers<T>& n) { return n.image(arith::vec<T>(center), i); });
+  };
+  const double down = rounded(Rounding::down), up = rounded(Rounding::up);
   if (down == up) return {up, Interval(0)};
-  const double value =
-      figure::within_doubles(rounded_value(Rounding::nearest, polynomial, x...), "transform", "center");
+  const double value = figure::within_doubles(rounded(Rounding::nearest), "transform", "center");
   constexpr double largest_ulp = 0x1p971;
   // Exact and nearest lie between neighbors, or beyond the last double by half of its ulp at the most.
   const Interval gap = up - down < HUGE_VAL ? Interval(up) - Interval(down) : Interval(largest_ulp);
   return {value, gap * Interval(0.5)};
 }
 
-ImageAxis axis(double a, double x, double b, double y, double t) {
-  return axis([](auto a_, auto x_, auto b_, auto y_, auto t_) { return a_ * x_ + b_ * y_ + t_; }, a, x, b, y, t);
-}
-ImageAxis axis(double a, double x, double b, double y, double c, double z, double t) {
-  return axis(
-      [](auto a_, auto x_, auto b_, auto y_, auto c_, auto z_, auto t_) { return a_ * x_ + b_ * y_ + c_ * z_ + t_; }, a,
-      x, b, y, c, z, t);
-}
-
 double radius_of(double stretched, double radius, const Interval& off2) {
-  const double r = (Interval(stretched) * Interval(radius) + root(off2)).upper;
+  const Interval grown = stretched == 1 ? Interval(radius + 0.0) : Interval(stretched) * Interval(radius);
+  const double r = off2.upper == 0 ? grown.upper : (grown + root(off2)).upper;
   return figure::within_doubles(r, "transform", "radius");
 }
 
 }  // namespace
 }  // namespace figure::sphere
 
-double largest_stretch(const Pose2& pose) {
-  figure::sphere::require_pose("largest_stretch", pose);
-  return figure::sphere::stretch("largest_stretch", figure::sphere::in_space(pose));
+double largest_stretch(PoseView2 pose) {
+  figure::require_sound("largest_stretch", pose);
+  return figure::sphere::stretch_of("largest_stretch", pose);
 }
-double largest_stretch(const Pose& pose) {
-  figure::sphere::require_pose("largest_stretch", pose);
-  return figure::sphere::stretch("largest_stretch", pose.columns);
+double largest_stretch(PoseView pose) {
+  figure::require_sound("largest_stretch", pose);
+  return figure::sphere::stretch_of("largest_stretch", pose);
 }
 
-Circle2 transform(const Circle2& circle, const Pose2& pose) {
+Circle2 transform(const Circle2& circle, PoseView2 pose) {
   figure::sphere::require_ball("transform", "circle", circle);
-  figure::sphere::require_pose("transform", pose);
-  const auto& [u, v] = pose.columns;
-  const Point2& c = circle.center;
-  const auto x = figure::sphere::axis(u.x, c.x, v.x, c.y, pose.translation.x);
-  const auto y = figure::sphere::axis(u.y, c.x, v.y, c.y, pose.translation.y);
-  const double stretched =
-      circle.radius == 0 ? 0 : figure::sphere::stretch("transform", figure::sphere::in_space(pose));
+  figure::require_sound("transform", pose);
+  const figure::CertainPose moved(pose);
+  const auto x = figure::sphere::axis(moved, circle.center, 0), y = figure::sphere::axis(moved, circle.center, 1);
+  const double stretched = circle.radius == 0 ? 0 : figure::sphere::stretch_of("transform", pose);
   return {{x.value, y.value}, figure::sphere::radius_of(stretched, circle.radius, x.off * x.off + y.off * y.off)};
 }
 
-Sphere3 transform(const Sphere3& sphere, const Pose& pose) {
+Sphere3 transform(const Sphere3& sphere, PoseView pose) {
   figure::sphere::require_ball("transform", "sphere", sphere);
-  figure::sphere::require_pose("transform", pose);
-  const auto& [u, v, w] = pose.columns;
-  const Point3& c = sphere.center;
-  const auto x = figure::sphere::axis(u.x, c.x, v.x, c.y, w.x, c.z, pose.translation.x);
-  const auto y = figure::sphere::axis(u.y, c.x, v.y, c.y, w.y, c.z, pose.translation.y);
-  const auto z = figure::sphere::axis(u.z, c.x, v.z, c.y, w.z, c.z, pose.translation.z);
-  const double stretched = sphere.radius == 0 ? 0 : figure::sphere::stretch("transform", pose.columns);
+  figure::require_sound("transform", pose);
+  const figure::CertainPose moved(pose);
+  const auto x = figure::sphere::axis(moved, sphere.center, 0), y = figure::sphere::axis(moved, sphere.center, 1),
+             z = figure::sphere::axis(moved, sphere.center, 2);
+  const double stretched = sphere.radius == 0 ? 0 : figure::sphere::stretch_of("transform", pose);
   return {{x.value, y.value, z.value},
           figure::sphere::radius_of(stretched, sphere.radius, x.off * x.off + y.off * y.off + z.off * z.off)};
 }

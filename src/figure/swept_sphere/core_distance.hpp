@@ -47,6 +47,14 @@ Core<T> core_of(const arith::Vec<T>& corner, const arith::Vec<T>& e, const arith
   }
   return c;
 }
+/// Times a number, about the origin.
+template <class T>
+Core<T> scaled(const Core<T>& c, const T& by) {
+  Core<T> made{{}, {}, c.has_face};
+  for (const arith::Vec<T>& v : c.vertices) made.vertices.push_back(v * by);
+  for (const Edge<T>& e : c.edges) made.edges.push_back({e.from * by, e.along * by});
+  return made;
+}
 template <class T>
 Core<T> core_of(const Point3& p) {
   return {{arith::vec<T>(p)}, {}, false};

@@ -8,6 +8,7 @@
 #include "arith/vec.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "plumb/figure/basic/sound.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
@@ -55,28 +56,30 @@ struct Disk {
   }
 };
 
-Vec<Interval> image(const Pose& pose, const Point3& p) {
-  const auto& [c, t] = pose;
-  const Vec<Interval> v = arith::vec<Interval>(p);
-  return arith::vec<Interval>(c[0]) * v.x + arith::vec<Interval>(c[1]) * v.y + arith::vec<Interval>(c[2]) * v.z +
-         arith::vec<Interval>(t);
+/// v over a number, which is not zero.
+Vec<Interval> over(const Vec<Interval>& v, const Interval& by) {
+  if (by.lower == 1 && by.upper == 1) return v;
+  return {quotient(v.x, by), quotient(v.y, by), quotient(v.z, by)};
 }
 
 /// At both ends; all of the cylinder is between them.
-std::array<Disk, 2> disks(const Cylinder3& cylinder, const Pose& pose) {
+std::array<Disk, 2> disks(const Cylinder3& cylinder, PoseView pose) {
   const auto& [a, b, radius] = cylinder;
   const Vec<Interval> along = arith::vec<Interval>(b) - arith::vec<Interval>(a);
+  const auto numbers = figure::pose_numbers<Interval>(pose);
+  std::array<Vec<Interval>, 3> columns = numbers.columns;
   double most = 0;
-  for (const Vector3& c : pose.columns) most = std::max(most, figure::frame::largest(c));
+  for (Vec<Interval>& c : columns) {
+    c = over(c, numbers.weight);
+    most = std::max(most, size(c));
+  }
   const int e = figure::frame::exponent(most);
-  const auto column = [&](std::size_t k) { return scaled(arith::vec<Interval>(pose.columns[k]), -e); };
-  const Disk disk{image(pose, a),
-                  scaled(along, -figure::frame::exponent(std::min(size(along), largest))),
-                  {column(0), column(1), column(2)},
-                  scaled(Interval(radius), e),
-                  scaled(Interval(largest_stretch(pose)), -e)};
+  for (Vec<Interval>& c : columns) c = scaled(c, -e);
+  const auto image = [&](const Point3& p) { return over(numbers.image(arith::vec<Interval>(p)), numbers.weight); };
+  const Disk disk{image(a), scaled(along, -figure::frame::exponent(std::min(size(along), largest))), columns,
+                  scaled(Interval(radius), e), scaled(Interval(largest_stretch(pose)), -e)};
   Disk other = disk;
-  other.center = image(pose, b);
+  other.center = image(b);
   return {disk, other};
 }
 
@@ -148,8 +151,6 @@ Cylinder3 around(std::string_view function, std::span<const Disk> disks, std::ve
   return *best;
 }
 
-constexpr Pose at_rest{{Vector3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
-
 Vector3 halved_difference(const Point3& a, const Point3& b) {
   return {b.x / 2 - a.x / 2, b.y / 2 - a.y / 2, b.z / 2 - a.z / 2};
 }
@@ -163,7 +164,7 @@ bool are_parted_by_an_end(const Cylinder3& one, const Cylinder3& other, int expo
   const Interval length = dot(along, along);
   if (!(length.lower > 0)) return false;
   bool beyond = true, before = true;
-  for (const Disk& d : disks(other, at_rest)) {
+  for (const Disk& d : disks(other, identity_pose)) {
     const Interval at = dot(scaled(d.center, -exponent) - from, along), reach = scaled(d.reach(along), -exponent);
     beyond = beyond && (at - reach - length).lower > 0;
     before = before && (at + reach).upper < 0;
@@ -189,7 +190,7 @@ Cylinder3 merge(const Cylinder3& a, const Cylinder3& b) {
   if (a == b) return a;
   std::vector<Disk> all;
   for (const Cylinder3* c : {&a, &b}) {
-    for (const Disk& d : disks(*c, at_rest)) all.push_back(d);
+    for (const Disk& d : disks(*c, identity_pose)) all.push_back(d);
   }
   const auto middle_of = [](const Cylinder3& c) {
     return Point3{c.a.x / 2 + c.b.x / 2, c.a.y / 2 + c.b.y / 2, c.a.z / 2 + c.b.z / 2};
@@ -199,15 +200,15 @@ Cylinder3 merge(const Cylinder3& a, const Cylinder3& b) {
       {halved_difference(a.a, a.b), halved_difference(b.a, b.b), halved_difference(middle_of(a), middle_of(b))});
 }
 
-Cylinder3 transform(const Cylinder3& cylinder, const Pose& pose) {
+Cylinder3 transform(const Cylinder3& cylinder, PoseView pose) {
   figure::require_sound("transform", cylinder);
   figure::require_sound("transform", pose);
   const auto all = disks(cylinder, pose);
   // Along the image of the axis; where that is a point, across the image of the disk.
   const auto axes = figure::frame::orthonormal({halved_difference(cylinder.a, cylinder.b), {0, 0, 0}, {0, 0, 0}});
-  const auto turned = [&pose](const Vector3& v) {
+  const auto turned = [&](const Vector3& v) {
     const auto column = [&](std::size_t k, double by) {
-      return figure::frame::times(figure::frame::unit(pose.columns[k]), by);
+      return figure::frame::times(figure::frame::unit(middle(all[0].columns[k])), by);
     };
     return figure::frame::plus(figure::frame::plus(column(0, v.x), column(1, v.y)), column(2, v.z));
   };

@@ -7,6 +7,7 @@
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "figure/swept_sphere/swept_guess.hpp"
 #include "figure/swept_sphere/swept_reach.hpp"
 #include "plumb/figure/basic/sound.hpp"
@@ -127,29 +128,39 @@ Shape merged(const Shape& a, const Shape& b, Settle settled = {}) {
   return figure::swept::smallest("merge", candidates);
 }
 
-// The exact image of a point or vector, over any numbers, and in doubles about.
-template <class T>
-Vec<T> image(const Pose& pose, const Vec<T>& v, bool is_point) {
-  const auto& [c, t] = pose;
-  const Vec<T> turned = arith::vec<T>(c[0]) * v.x + arith::vec<T>(c[1]) * v.y + arith::vec<T>(c[2]) * v.z;
-  return is_point ? turned + arith::vec<T>(t) : turned;
+/// The nearest doubles of the image of a point or vector, infinite beyond them.
+template <class Part>
+Part near_image(const figure::CertainPose& pose, const Part& x) {
+  const auto number = [&](std::size_t axis) {
+    return pose.rounded(Rounding::nearest, [&]<class T>(const figure::PoseNumbers<T>& n) {
+      const Vec<T> v = arith::vec<T>(x);
+      return std::is_same_v<Part, Point3> ? n.image(v, axis) : n.turned(v, axis);
+    });
+  };
+  return {number(0), number(1), number(2)};
 }
 
-Point3 near_image(const Pose& pose, const Point3& p) { return about(image(pose, arith::vec<double>(p), true)); }
-Vector3 near_image(const Pose& pose, const Vector3& v) {
-  const Vec<double> r = image(pose, arith::vec<double>(v), false);
-  return {r.x, r.y, r.z};
+Capsule3 near_core(const figure::CertainPose& pose, const Capsule3& c) {
+  return {near_image(pose, c.a), near_image(pose, c.b), 0};
+}
+Lozenge3 near_core(const figure::CertainPose& pose, const Lozenge3& l) {
+  return {near_image(pose, l.corner), {near_image(pose, l.edges[0]), near_image(pose, l.edges[1])}, 0};
 }
 
 template <class Shape>
-Shape moved(const Shape& shape, Shape core, const Pose& pose, double stretch) {
-  core.radius = 0;
+Shape moved(const Shape& shape, const figure::CertainPose& pose, double stretch) {
+  Shape core = near_core(pose, shape);
   if (!figure::swept::is_finite(core)) return figure::swept::smallest("transform", std::vector<Shape>{});
   double off = 0;
-  for (std::size_t i = 0; i < vertices<Interval>(shape).size(); ++i)
-    off = std::max(
-        off, figure::swept::distance_up([&]<class T>() { return image(pose, vertices<T>(shape)[i], true); }, core));
-  const double stretched = shape.radius == 0 ? 0 : Interval::product_up(stretch, shape.radius);
+  for (std::size_t i = 0; i < vertices<Interval>(shape).size(); ++i) {
+    const auto vertex = [&]<class T>() {
+      const figure::PoseNumbers<T>& n = pose.in<T>();
+      return figure::swept::Weighted<T>{n.image(vertices<T>(shape)[i]), n.weight};
+    };
+    off = std::max(off, figure::swept::distance_up(vertex, core));
+  }
+  const double stretched =
+      stretch == 1 || shape.radius == 0 ? shape.radius + 0.0 : Interval::product_up(stretch, shape.radius);
   core.radius = figure::within_doubles(off == 0 ? stretched : Interval::sum_up(off, stretched), "transform", "radius");
   return core;
 }
@@ -166,29 +177,22 @@ Capsule2 merge(const Capsule2& a, const Capsule2& b) {
 Capsule3 merge(const Capsule3& a, const Capsule3& b) { return merged(a, b); }
 Lozenge3 merge(const Lozenge3& a, const Lozenge3& b) { return merged(a, b); }
 
-Capsule3 transform(const Capsule3& capsule, const Pose& pose) {
+Capsule3 transform(const Capsule3& capsule, PoseView pose) {
   figure::require_sound("transform", capsule);
   figure::require_sound("transform", pose);
-  return moved(capsule, {near_image(pose, capsule.a), near_image(pose, capsule.b), 0}, pose, largest_stretch(pose));
+  return moved(capsule, figure::CertainPose(pose), largest_stretch(pose));
 }
 
-Capsule2 transform(const Capsule2& capsule, const Pose2& pose) {
-  const auto& [c, t] = pose;
-  const Pose raised{{in_space(c[0]), in_space(c[1]), Vector3{0, 0, 1}}, in_space(t)};
-  const Capsule3 shape = in_space(capsule);
-  figure::require_sound("transform", shape);
-  figure::require_sound("transform", raised);
-  return figure::swept::flattened(
-      moved(shape, {near_image(raised, shape.a), near_image(raised, shape.b), 0}, raised, largest_stretch(pose)));
+Capsule2 transform(const Capsule2& capsule, PoseView2 pose) {
+  figure::require_sound("transform", capsule);
+  figure::require_sound("transform", pose);
+  return figure::swept::flattened(moved(in_space(capsule), figure::CertainPose(pose), largest_stretch(pose)));
 }
 
-Lozenge3 transform(const Lozenge3& lozenge, const Pose& pose) {
+Lozenge3 transform(const Lozenge3& lozenge, PoseView pose) {
   figure::require_sound("transform", lozenge);
   figure::require_sound("transform", pose);
-  return moved(
-      lozenge,
-      {near_image(pose, lozenge.corner), {near_image(pose, lozenge.edges[0]), near_image(pose, lozenge.edges[1])}, 0},
-      pose, largest_stretch(pose));
+  return moved(lozenge, figure::CertainPose(pose), largest_stretch(pose));
 }
 
 }  // namespace plumb

@@ -15,15 +15,48 @@
 
 namespace plumb::figure::swept {
 
-template <class Shape>
-std::optional<double> quick_distance_up(const arith::Vec<Ball>& point, const Shape& shape) {
+/// The point over a weight, which is positive.
+template <class T>
+struct Weighted {
+  arith::Vec<T> point;
+  T weight;
+};
+
+// From what is measured times the weight.
+template <class T, class Shape>
+Core<T> core_beside(const arith::Vec<T>&, const Shape& shape) {
+  return core_of<T>(shape);
+}
+template <class T, class Shape>
+Core<T> core_beside(const Weighted<T>& p, const Shape& shape) {
+  return scaled(core_of<T>(shape), p.weight);
+}
+template <class T>
+const arith::Vec<T>& place_of(const arith::Vec<T>& p) {
+  return p;
+}
+template <class T>
+const arith::Vec<T>& place_of(const Weighted<T>& p) {
+  return p.point;
+}
+template <class T>
+const T& unweighted(const arith::Vec<T>&, const T& denominator) {
+  return denominator;
+}
+template <class T>
+T unweighted(const Weighted<T>& p, const T& denominator) {
+  return denominator * p.weight * p.weight;
+}
+
+template <class Point, class Shape>
+std::optional<double> quick_distance_up(const Point& point, const Shape& shape) {
   CertainSigns ask;
   std::vector<Ball> squares;
   std::size_t least = 0;
-  const figure::swept::Core<Ball> from{{point}, {}, false};
-  figure::swept::visit_distances(from, figure::swept::core_of<Ball>(shape), ask,
+  const figure::swept::Core<Ball> from{{place_of<Ball>(point)}, {}, false};
+  figure::swept::visit_distances(from, core_beside<Ball>(point, shape), ask,
                                  [&](const Ball& numerator, const Ball& denominator) {
-                                   squares.push_back(quotient(numerator, denominator));
+                                   squares.push_back(quotient(numerator, unweighted<Ball>(point, denominator)));
                                    if (squares.back().high < squares[least].high) least = squares.size() - 1;
                                  });
   if (!ask.certain()) return {};
@@ -37,21 +70,20 @@ std::optional<double> quick_distance_up(const arith::Vec<Ball>& point, const Sha
   return result;
 }
 
-template <class Shape>
-double exact_distance_up(const arith::Vec<BigDyadic>& point, const Shape& shape) {
+template <class Point, class Shape>
+double exact_distance_up(const Point& point, const Shape& shape) {
   CertainSigns ask;
   std::optional<std::pair<BigDyadic, BigDyadic>> least;
-  const figure::swept::Core<BigDyadic> from{{point}, {}, false};
+  const figure::swept::Core<BigDyadic> from{{place_of<BigDyadic>(point)}, {}, false};
   figure::swept::visit_distances(
-      from, figure::swept::core_of<BigDyadic>(shape), ask,
-      [&](const BigDyadic& numerator, const BigDyadic& denominator) {
+      from, core_beside<BigDyadic>(point, shape), ask, [&](const BigDyadic& numerator, const BigDyadic& denominator) {
         if (!least || (numerator * least->second - least->first * denominator).sign() == Sign::negative)
           least.emplace(numerator, denominator);
       });
-  return rounded_root(Rounding::up, least->first, least->second);
+  return rounded_root(Rounding::up, least->first, unweighted<BigDyadic>(point, least->second));
 }
 
-/// point.template operator()<T>() makes the point over the numbers T; infinite beyond all doubles.
+/// point.template operator()<T>() makes the point over the numbers T, weighted or not; infinite beyond all doubles.
 template <class Make, class Shape>
 double distance_up(Make point, const Shape& shape) {
   if (const auto quick = quick_distance_up(point.template operator()<Ball>(), shape)) return *quick;

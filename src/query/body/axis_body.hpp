@@ -16,6 +16,7 @@
 #include "figure/basic/in_space.hpp"
 #include "plumb/certify/sign_of.hpp"
 #include "plumb/query/body/pairs.hpp"
+#include "query/body/weighted_pose.hpp"
 
 namespace plumb::query::axes {
 
@@ -168,20 +169,12 @@ AxisBody<T> axis_body_of(const Shape& s, const Point3& origin) {
   return body;
 }
 
-/// The image under a Pose or Pose2, of coordinates from the origin: edges of no length may be among it.
-template <class T, class By>
-void pose(AxisBody<T>& body, const By& by) {
-  const auto turned = [&](const arith::Vec<T>& v) {
-    const arith::Vec<T> flat = arith::vec<T>(by.columns[0]) * v.x + arith::vec<T>(by.columns[1]) * v.y;
-    if constexpr (requires { by.columns[0].z; }) {
-      return flat + arith::vec<T>(by.columns[2]) * v.z;
-    } else {
-      return flat;
-    }
-  };
-  const arith::Vec<T> translation = arith::vec<T>(by.translation);
-  for (std::size_t i = 0; i < body.point_count; ++i) body.points[i] = turned(body.points[i]) + translation;
-  for (std::size_t i = 0; i < body.edge_count; ++i) body.edges[i] = turned(body.edges[i]);
+/// The image times the pose's weight, of coordinates from the origin: edges of no length may be among it.
+template <class T>
+void pose(AxisBody<T>& body, const WeightedPose<T>& by) {
+  for (std::size_t i = 0; i < body.point_count; ++i) body.points[i] = by.image(body.points[i]);
+  if (by.stands) return;
+  for (std::size_t i = 0; i < body.edge_count; ++i) body.edges[i] = by.turned(body.edges[i]);
 }
 
 }  // namespace plumb::query::axes

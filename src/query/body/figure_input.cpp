@@ -1,6 +1,6 @@
 #include "query/body/figure_input.hpp"
 
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 
 namespace plumb::query {
 

@@ -9,6 +9,9 @@
 
 namespace plumb::query {
 
+/// What a pose may be given instead that leaves nothing as round as it is.
+inline constexpr std::string_view rigid_instead = "give a RigidPose, whose turn nearest_rotation makes of a matrix";
+
 void require_posed(std::string_view function, std::string_view name, const PosedView& figure);
 void require_posed(std::string_view function, const PosedView& a, const PosedView& b);
 

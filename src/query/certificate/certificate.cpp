@@ -45,7 +45,7 @@ bool leaves_gap(const ExactVector3& n, const Body& a, const Body& b, const mpq_c
   for (std::size_t i = 0; i < b.corners.size(); ++i)
     begin = std::min(begin, dot(way, b.corners.at<Running>(i)).lower());
   if (!(begin > end) || !std::isfinite(begin) || !std::isfinite(end)) return false;
-  const mpq_class gap = mpq_class(begin) - mpq_class(end);
+  const mpq_class gap = (mpq_class(begin) - mpq_class(end)) / gmp_number(a.corners.scale<BigDyadic>());
   const mpq_class length = gmp_number(n.x * n.x + n.y * n.y + n.z * n.z);
   return gap * gap > radii * radii * length;
 }

@@ -7,7 +7,7 @@
 
 #include "certify/case_line.hpp"
 #include "plumb/arith/error.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/separation/convex_body.hpp"
 
 namespace plumb {
@@ -70,12 +70,30 @@ Json json_of_figure(const Shape& s) {
   }
 }
 
+Json json_of_pose(const Pose& pose) {
+  return {{"columns", json_of(pose.columns)}, {"translation", json_of(pose.translation)}};
+}
+Json json_of_pose(const RigidPose& pose) {
+  const auto& [w, x, y, z] = pose.turn;
+  return {{"turn", {json_of(w), json_of(x), json_of(y), json_of(z)}}, {"translation", json_of(pose.translation)}};
+}
+Json json_of_pose(const RigidChain& pose) {
+  Json links = Json::array();
+  for (const RigidPose& link : pose.links) links.push_back(json_of_pose(link));
+  Json json;
+  json["links"] = std::move(links);
+  return json;
+}
+
 Json json_of_body(const BodyView& body) {
   Json json = body.is_hull() ? Json{{"vertices", json_of(body.vertices)}}
                              : query::with_figure(body.figure, [](const auto& s) { return json_of_figure(s); });
-  if (body.pose != nullptr) {
-    json["pose"] = {{"columns", json_of(body.pose->columns)}, {"translation", json_of(body.pose->translation)}};
-  }
+  if (body.radius != 0) json["radius"] = json_of(body.radius);  // of a hull
+  std::visit(
+      [&]<class By>(const By& by) {
+        if constexpr (requires { json_of_pose(*by); }) json["pose"] = json_of_pose(*by);
+      },
+      body.pose.by);
   return json;
 }
 
@@ -216,6 +234,26 @@ std::array<Vector3, N> vectors(const Place& at) {
   return all;
 }
 
+RigidPose rigid_pose_at(const Place& at) {
+  at.require_known({"turn", "translation"});
+  const Place turn = at["turn"];
+  turn.require_size(4);
+  return {{turn.item(0).real(), turn.item(1).real(), turn.item(2).real(), turn.item(3).real()},
+          triplet<Vector3>(at["translation"])};
+}
+std::variant<Pose, RigidPose, RigidChain> pose_at(const Place& at) {
+  if (at.has("turn")) return rigid_pose_at(at);
+  if (at.has("links")) {
+    at.require_known({"links"});
+    const Place links = at["links"];
+    RigidChain chain;
+    for (std::size_t i = 0; i < links.size(); ++i) chain.links.push_back(rigid_pose_at(links.item(i)));
+    return chain;
+  }
+  at.require_known({"columns", "translation"});
+  return Pose{vectors<3>(at["columns"]), triplet<Vector3>(at["translation"])};
+}
+
 RecordedBody body_at(const Place& at) {
   RecordedBody body;
   if (at.has("vertices")) {
@@ -252,9 +290,7 @@ RecordedBody body_at(const Place& at) {
     at.refuse(" has none of vertices, min, corner and center, one of which says what it is");
   }
   if (at.has("pose")) {
-    const Place pose = at["pose"];
-    pose.require_known({"columns", "translation"});
-    body.pose = Pose{vectors<3>(pose["columns"]), triplet<Vector3>(pose["translation"])};
+    body.pose = pose_at(at["pose"]);
   }
   return body;
 }
@@ -297,7 +333,7 @@ Json read_line(std::string_view line) {
   if (line.find('\n') != line.npos) throw Error("read_certificate: a certificate is one line, and this is several");
   if (line.starts_with("\xef\xbb\xbf") || line.find('\0') != line.npos)
     throw Error("read_certificate: not JSON: it holds a byte-order mark or a NUL");
-  constexpr int deepest = 5;  // the certificate, a body, its pose, its columns, a column
+  constexpr int deepest = 6;  // the certificate, a body, its pose, its links, a link, its turn
   std::vector<std::set<std::string>> open;
   const auto once = [&](int depth, Json::parse_event_t event, const Json& value) {
     const bool starts = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
@@ -325,7 +361,7 @@ BodyView view_of_recorded(const RecordedBody& body) {
         }
       },
       body.shape);
-  view.pose = body.pose ? &*body.pose : nullptr;
+  if (body.pose) view.pose = std::visit([](const auto& by) { return query::PoseView(&by); }, *body.pose);
   return view;
 }
 

@@ -7,8 +7,8 @@
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/body/figure_view.hpp"
 #include "query/convex/convex_view.hpp"
 #include "query/convex/round_parts.hpp"
 

@@ -1,7 +1,7 @@
 #include "query/convex/convex_view.hpp"
 
 #include "arith/exact_number.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/bound_value.hpp"
 
 namespace plumb::query::meeting {

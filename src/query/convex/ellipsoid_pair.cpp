@@ -1,7 +1,6 @@
 #include "query/convex/ellipsoid_pair.hpp"
 
-#include "plumb/arith/big.hpp"
-#include "plumb/arith/root.hpp"
+#include "arith/polynomial.hpp"
 
 namespace plumb::query {
 namespace {
@@ -52,6 +51,16 @@ Quartic quartic_through(Quartic values) {
   return polynomial;
 }
 
+/// A positive multiple.
+arith::Polynomial integers_of(const Quartic& quartic) {
+  mpz_class denominator = 1;
+  for (const mpq_class& c : quartic) denominator = lcm(denominator, c.get_den());
+  arith::Polynomial p;
+  for (const mpq_class& c : quartic) p.emplace_back(c.get_num() * (denominator / c.get_den()));
+  arith::make_primitive(p);
+  return p;
+}
+
 }  // namespace
 
 Relation relate_ellipsoids(const ExactMap& a, const ExactMap& b) {
@@ -64,10 +73,7 @@ Relation relate_ellipsoids(const ExactMap& a, const ExactMap& b) {
     }
     values[t] = determinant_of(std::move(sum));
   }
-  std::vector<Rational> coefficients;
-  for (const mpq_class& c : quartic_through(values)) coefficients.emplace_back(BigRational{c});
-  int positive = 0;
-  for (const Root& root : real_roots(coefficients)) positive += root > Rational(0.0) ? 1 : 0;
+  const int positive = arith::count_positive_roots(integers_of(quartic_through(values)));
   return positive == 0 ? Relation::overlapping : positive == 1 ? Relation::touching : Relation::disjoint;
 }
 

@@ -2,17 +2,11 @@
 
 #include <utility>
 
+#include "arith/exact_number.hpp"
+#include "query/body/weighted_pose.hpp"
+
 namespace plumb::query {
 namespace {
-
-template <class V>
-Exact3 exact_of(const V& v) {
-  if constexpr (requires { v.z; }) {
-    return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)};
-  } else {
-    return {mpq_class(v.x), mpq_class(v.y), mpq_class(0)};
-  }
-}
 
 /// The rows of the matrix, made simple by steps that `steps` keeps: steps * matrix = rows (Gauss, Jordan).
 class Elimination {
@@ -84,15 +78,19 @@ class Elimination {
 
 }  // namespace
 
-ExactMap exact_map(const Pose& pose) {
-  const auto& [c, t] = pose;
-  return {{exact_of(c[0]), exact_of(c[1]), exact_of(c[2])}, exact_of(t)};
+ExactMap exact_map(const PoseView& pose) {
+  const auto by = weighted_pose<BigDyadic>(pose);
+  const mpq_class weight = gmp_number(by.weight);
+  const auto over_weight = [&](const Vec3<BigDyadic>& v) {
+    const auto part = [&](const BigDyadic& x) {
+      return by.has_weight ? mpq_class(gmp_number(x) / weight) : gmp_number(x);
+    };
+    return Exact3{part(v.x), part(v.y), part(v.z)};
+  };
+  return {{over_weight(by.columns[0]), over_weight(by.columns[1]), over_weight(by.columns[2])},
+          over_weight(by.translation)};
 }
-ExactMap exact_map(const Pose2& pose) {
-  const auto& [c, t] = pose;
-  return {{exact_of(c[0]), exact_of(c[1]), Exact3{0, 0, 1}}, exact_of(t)};
-}
-ExactMap exact_identity() { return exact_map(identity_pose); }
+ExactMap exact_identity() { return exact_map(PoseView()); }
 
 Exact3 turned(const ExactMap& map, const Exact3& v) {
   return v[0] * map.columns[0] + v[1] * map.columns[1] + v[2] * map.columns[2];

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-#include "plumb/arith/pose.hpp"
+#include "plumb/query/body/posed.hpp"
 #include "query/convex/flat_set.hpp"
 
 namespace plumb::query {
@@ -22,9 +22,8 @@ struct ExactMap {
   Exact3 translation;
   friend bool operator==(const ExactMap&, const ExactMap&) = default;
 };
-ExactMap exact_map(const Pose& pose);
-/// Of the plane z = 0, and as it is along z.
-ExactMap exact_map(const Pose2& pose);
+/// Of the plane z = 0, and as it is along z.  A quaternion is not zero.
+ExactMap exact_map(const PoseView& pose);
 ExactMap exact_identity();
 
 /// The matrix alone.

@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/flat_set.hpp"
 
 namespace plumb::query {

@@ -10,18 +10,18 @@
 
 #include <optional>
 
+#include "plumb/query/closest/which_pair.hpp"
 #include "query/convex/flat_set.hpp"
 
 namespace plumb::query {
+
+using plumb::WhichPair;
 
 struct NearestPair {
   Exact3 on_a, on_b;
   mpq_class square;  // of what is between them
   bool is_first = true;
 };
-
-/// The first, or any, for those who ask for its distance alone.
-enum class WhichPair : unsigned char { first, any };
 
 /// Nothing where a set is empty.
 std::optional<NearestPair> nearest_pair(const FlatSet& a, const FlatSet& b, WhichPair which);

@@ -4,6 +4,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/body/posed_input.hpp"
 
 namespace plumb::query {
 namespace {
@@ -26,8 +27,9 @@ mpq_class radius_of_image(std::string_view function, const PosedView& figure, co
   throw UnevenPose(std::string(function)
                        .append(": ")
                        .append(spoken(figure.figure))
-                       .append(": its pose makes an ellipsoid of it, or its scale is not rational; give one whose "
-                               "columns are at right angles and of one rational length"));
+                       .append(": its pose makes an ellipsoid of it, or its scale is not rational; ")
+                       .append(rigid_instead)
+                       .append(", or columns at right angles and of one rational length"));
 }
 
 }  // namespace plumb::query

@@ -1,7 +1,7 @@
 #include "query/convex/posed_set.hpp"
 
 #include "arith/root_sign.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/cap_relation.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"
@@ -49,9 +49,7 @@ void fill(PosedSet& s, const Shape& shape) {
 PosedSet posed_set(const PosedView& figure) {
   PosedSet s;
   s.dimension = figure.figure.dimension;
-  s.map = figure.in_space != nullptr   ? exact_map(*figure.in_space)
-          : figure.in_plane != nullptr ? exact_map(*figure.in_plane)
-                                       : exact_identity();
+  s.map = exact_map(figure.pose);
   with_figure(figure.figure, [&](const auto& shape) { fill(s, shape); });
   const bool is_curved = s.is_round() || s.has_axis() || s.cap != nullptr;
   if (is_curved && squared_scale(s.map, s.dimension) == 0) s.radius = 0, s.axis = {}, s.cap = nullptr;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/flat_view.hpp"
 
 namespace plumb::query {

@@ -1,23 +1,24 @@
-// GJK, separating plane: do two convex hulls of many points overlap, or are they apart?  A guess in doubles, and its
-// proof.
+// GJK: do two convex figures meet, and where do they come closest, as far as the one search of convex pairs tells it?
 //
-// Laws: an answer is that of real arithmetic: a plane with all of one on one side and all of the other beyond, or four
-// pairs of points whose differences have the origin strictly inside of their tetrahedron.  Where neither is found, as
-// where the hulls touch or lie in one plane, there is none.
-// Method: the simplex of differences nearest to the origin, grown by support points, which on a polyhedron are climbed
-// to from the last one.  A vertex that none of its neighbors is beyond is the farthest, so that few signs prove a
-// plane.
+// Laws: an answer is that of real arithmetic, rounded once.  A polyhedron is one that convex_polyhedron made, whose numbers
+// are not looked through.  No answer where another number is none, of figures that go on or have a radius, and where exact
+// numbers have to search; of closest points where there are several pairs.
+// src/query/gjk/ answers: rooms after this one hold the search, for it takes poses and points alone as well.
 // Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5, 9.5.4, 5.2.1.
-// Cost: below a microsecond, times the way climbed.
+// Cost: docs/convex.md.
 #pragma once
 
 #include <optional>
 
-#include "query/convex/flat_view.hpp"
+#include "plumb/figure/basic/relation.hpp"
+#include "plumb/query/body/pairs.hpp"
+#include "plumb/query/closest/result.hpp"
 
 namespace plumb::query {
 
-/// One is a ConvexPolyhedron3, the other one as well or a figure of few points.
-std::optional<Relation> relate_by_search(const FlatView& a, const FlatView& b);
+std::optional<Relation> relate_by_search(const FigureView& a, const FigureView& b);
+std::optional<bool> meet_by_search(const FigureView& a, const FigureView& b);
+std::optional<double> distance_by_search(const FigureView& a, const FigureView& b);
+std::optional<Closest> closest_by_search(const FigureView& a, const FigureView& b);
 
 }  // namespace plumb::query

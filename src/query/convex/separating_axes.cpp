@@ -107,15 +107,13 @@ Point3 origin(const Shape& s) {
   }
 }
 
-bool is_posed_view(const PosedView& v) { return v.in_space != nullptr || v.in_plane != nullptr; }
-
 class Test {
  public:
   Test(const PosedView& a, const PosedView& b)
       : a_(a),
         b_(b),
-        origin_(is_posed_view(a) || is_posed_view(b) ? Point3{0, 0, 0}
-                                                     : with_shape(a.figure, [](const auto& s) { return origin(s); })) {}
+        origin_(a.pose.stands() && b.pose.stands() ? with_shape(a.figure, [](const auto& s) { return origin(s); })
+                                                   : Point3{0, 0, 0}) {}
 
   std::optional<Relation> relation() {
     if (is_apart_by_middles()) return Relation::disjoint;
@@ -156,8 +154,19 @@ class Test {
         return AxisBody<T>{};
       }
     });
-    if (v.in_space != nullptr) pose(made, *v.in_space);
-    if (v.in_plane != nullptr) pose(made, *v.in_plane);
+    return made;
+  }
+  /// Both under their poses, each as large as the other's weight makes it.
+  template <class T>
+  [[nodiscard]] std::array<AxisBody<T>, 2> bodies() const {
+    std::array<AxisBody<T>, 2> made{body<T>(a_), body<T>(b_)};
+    if (a_.pose.stands() && b_.pose.stands()) return made;
+    const std::array poses{weighted_pose<T>(a_.pose), weighted_pose<T>(b_.pose)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      pose(made[i], poses[i]);
+      if (!poses[1 - i].has_weight) continue;
+      for (std::size_t k = 0; k < made[i].point_count; ++k) made[i].points[k] = made[i].points[k] * poses[1 - i].weight;
+    }
     return made;
   }
 
@@ -193,11 +202,8 @@ class Test {
   }
 
   AxisVerdict by_integers(std::size_t i, std::size_t j) {
-    if (!exact_a_) {
-      exact_a_ = body<BigDyadic>(a_);
-      exact_b_ = body<BigDyadic>(b_);
-    }
-    const AxisBody<BigDyadic>&a = *exact_a_, &b = *exact_b_;
+    if (!exact_) exact_ = bodies<BigDyadic>();
+    const auto& [a, b] = *exact_;
     const arith::Vec<BigDyadic> up{BigDyadic(0), BigDyadic(0), BigDyadic(1)};
     const auto axis = j == none   ? cross(a.edges[i], up)
                       : i == none ? cross(b.edges[j], up)
@@ -209,8 +215,9 @@ class Test {
 
   const PosedView &a_, &b_;
   Point3 origin_;
-  AxisBody<Running> near_a_ = body<Running>(a_), near_b_ = body<Running>(b_);
-  std::optional<AxisBody<BigDyadic>> exact_a_, exact_b_;
+  std::array<AxisBody<Running>, 2> near_ = bodies<Running>();
+  const AxisBody<Running>&near_a_ = near_[0], &near_b_ = near_[1];
+  std::optional<std::array<AxisBody<BigDyadic>, 2>> exact_;
   bool apart_ = false, flat_ = false, level_ = false, any_ = false;
 };
 

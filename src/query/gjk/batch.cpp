@@ -80,7 +80,7 @@ void answer_pairs(std::string_view function, std::span<const AnyBody3> bodies, s
     }
   }
   ask_each(function, pairs.size(), options.execution, [&](std::size_t i) {
-    const GjkOptions of_pair{.cache = options.caches.empty() ? nullptr : &options.caches[i]};
+    const GjkOptions of_pair{.cache = options.caches.empty() ? nullptr : &options.caches[i], .pair = options.pair};
     out[i] = static_cast<Answer>(ask(bodies[pairs[i].a], bodies[pairs[i].b], of_pair));
   });
 }

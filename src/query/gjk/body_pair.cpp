@@ -57,27 +57,30 @@ NearestPair BodyPair::nearest(const ProvedCorners& proved) const {
   return QuickPair(a(), b(), 0, 0, proved).any_pair();
 }
 
-Closest BodyPair::closest(const ProvedCorners& proved) const {
+Closest BodyPair::closest(const ProvedCorners& proved, WhichPair which) const {
   const mpq_class &radius_a = bodies_[0].radius, &radius_b = bodies_[1].radius;
   if (is_double(radius_a) && is_double(radius_b)) {
     const QuickPair quick(a(), b(), radius_a.get_d(), radius_b.get_d(), proved);
     if (const auto c = closest_at_once(quick, {views_[0], a()}, {views_[1], b()}, proved)) return *c;
   }
-  std::optional<NearestPair> pair;
+  const bool is_first = which == WhichPair::first;
   const std::array points{exact_corners(a()), exact_corners(b())};
-  if (proved.is_alone && !proved.meets) pair = QuickPair(a(), b(), 0, 0, proved).pair();
-  if (!pair) pair = nearest_pair({points[0], {}, {}}, {points[1], {}, {}}, WhichPair::first);
+  const NearestPair pair = is_first && !(proved.is_alone && !proved.meets)
+                               ? *nearest_pair({points[0], {}, {}}, {points[1], {}, {}}, which)
+                               : nearest(proved);
+  if (!is_first && meets(proved)) return told_places(pair, radius_a, radius_b);
   constexpr Point3 some{};
   std::array<std::optional<ExactMap>, 2> maps;
   const auto seen = [&](std::size_t i) -> SeenFigure {
     if (views_[i].is_hull()) return {view_of(some), bodies_[i].radius};
-    if (views_[i].pose == nullptr) return {views_[i].figure, bodies_[i].radius};
-    maps[i] = exact_map(*views_[i].pose);
+    if (views_[i].pose.stands()) return {views_[i].figure, bodies_[i].radius};
+    maps[i] = exact_map(views_[i].pose);
     return {views_[i].figure, bodies_[i].radius, &*maps[i]};
   };
-  Closest c = told_pair(*pair, seen(0), seen(1));
-  if (views_[0].is_hull()) c.feature_a = least_face(points[0], pair->on_a);
-  if (views_[1].is_hull()) c.feature_b = least_face(points[1], pair->on_b);
+  Closest c = told_pair(pair, seen(0), seen(1));
+  const Exact3 way = pair.on_b - pair.on_a;  // of bodies that meet none, and all points are level
+  if (views_[0].is_hull()) c.feature_a = least_face(points[0], pair.on_a, way);
+  if (views_[1].is_hull()) c.feature_b = least_face(points[1], pair.on_b, way);
   return c;
 }
 

@@ -40,7 +40,7 @@ class BodyPair {
   [[nodiscard]] const CoreCorners& b() const { return bodies_[1].corners; }
   [[nodiscard]] bool meets(const ProvedCorners& proved) const;
   [[nodiscard]] double distance(const ProvedCorners& proved) const;
-  [[nodiscard]] Closest closest(const ProvedCorners& proved) const;
+  [[nodiscard]] Closest closest(const ProvedCorners& proved, WhichPair which) const;
   /// Of the cores, one of the nearest pairs.
   [[nodiscard]] NearestPair nearest(const ProvedCorners& proved) const;
 

@@ -12,20 +12,26 @@
 
 namespace plumb::query::gjk_search {
 
-using arith::Plain, arith::cross, arith::dot;
+using arith::Plain, arith::Vec, arith::cross, arith::dot;
 
-/// A corner of the difference.
-struct Corner {
+/// A corner of the difference, in doubles or double-doubles.
+template <class T>
+struct CornerOf {
   GjkCorner ends;
-  Plain at;
+  Vec<T> at;
 };
+using Corner = CornerOf<double>;
 
 /// The simplex, without lengths: the direction to its nearest point alone.
-class Directed {
- public:
-  explicit Directed(const Corner& first) : size_(1), direction_(first.at) { corners_[0] = first; }
+template <class T>
+class DirectedOf {
+  using Corner = CornerOf<T>;
+  using Way = Vec<T>;
 
-  [[nodiscard]] const Plain& direction() const { return direction_; }
+ public:
+  explicit DirectedOf(const Corner& first) : size_(1), direction_(first.at) { corners_[0] = first; }
+
+  [[nodiscard]] const Way& direction() const { return direction_; }
   [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] const Corner& operator[](std::size_t i) const { return corners_[i]; }
   [[nodiscard]] bool has(const GjkCorner& ends) const {
@@ -37,7 +43,7 @@ class Directed {
 
   /// A fourth corner, if it is one: true where the origin seems to be within.
   bool add(const Corner& c) {
-    const Plain back = c.at * -1;
+    const Way back = c.at * T(-1);
     switch (size_) {
       case 1:
         edge(corners_[0], c, back);
@@ -51,42 +57,43 @@ class Directed {
   }
 
  private:
+  static constexpr T zero() { return T(0.0); }
   void take(const Corner& p) { corners_[0] = p, size_ = 1, direction_ = p.at; }
-  void take(const Corner& p, const Corner& q, const Plain& direction) {
+  void take(const Corner& p, const Corner& q, const Way& direction) {
     const std::array<Corner, 2> two{p, q};
     corners_[0] = two[0], corners_[1] = two[1], size_ = 2, direction_ = direction;
   }
   /// Of p and the new corner c, at which the origin lies `back`.
-  void edge(const Corner& p, const Corner& c, const Plain& back) {
-    const Plain u = p.at - c.at;
-    if (dot(u, back) > 0) {
+  void edge(const Corner& p, const Corner& c, const Way& back) {
+    const Way u = p.at - c.at;
+    if (dot(u, back) > zero()) {
       take(p, c, cross(u, cross(c.at, u)));
     } else {
       take(c);
     }
   }
-  void triangle(const Corner& p, const Corner& q, const Corner& c, const Plain& back) {
-    const Plain u = p.at - c.at, v = q.at - c.at, n = cross(u, v);
-    if (dot(cross(u, n), back) > 0) {
-      if (dot(u, back) > 0) {
+  void triangle(const Corner& p, const Corner& q, const Corner& c, const Way& back) {
+    const Way u = p.at - c.at, v = q.at - c.at, n = cross(u, v);
+    if (dot(cross(u, n), back) > zero()) {
+      if (dot(u, back) > zero()) {
         take(p, c, cross(u, cross(c.at, u)));
       } else {
         edge(Corner(q), Corner(c), back);
       }
-    } else if (dot(cross(n, v), back) > 0) {
+    } else if (dot(cross(n, v), back) > zero()) {
       edge(Corner(q), Corner(c), back);
     } else {
       const std::array<Corner, 3> three{p, q, c};
       for (std::size_t i = 0; i < 3; ++i) corners_[i] = three[i];
-      size_ = 3, direction_ = n * (dot(n, back) > 0 ? -1.0 : 1.0);
+      size_ = 3, direction_ = n * T(dot(n, back) > zero() ? -1.0 : 1.0);
     }
   }
-  bool tetrahedron(const Corner& c, const Plain& back) {
-    const Plain u = corners_[0].at - c.at, v = corners_[1].at - c.at, w = corners_[2].at - c.at;
-    const Plain uv = cross(u, v), vw = cross(v, w), wu = cross(w, u);
-    const double turn = dot(uv, w) > 0 ? -1 : 1;  // the three look outward
+  bool tetrahedron(const Corner& c, const Way& back) {
+    const Way u = corners_[0].at - c.at, v = corners_[1].at - c.at, w = corners_[2].at - c.at;
+    const Way uv = cross(u, v), vw = cross(v, w), wu = cross(w, u);
+    const T turn(dot(uv, w) > zero() ? -1.0 : 1.0);  // the three look outward
     const std::array outside{dot(uv, back) * turn, dot(vw, back) * turn, dot(wu, back) * turn};
-    if (outside[0] <= 0 && outside[1] <= 0 && outside[2] <= 0) {
+    if (outside[0] <= zero() && outside[1] <= zero() && outside[2] <= zero()) {
       corners_[3] = c, size_ = 4;
       return true;
     }
@@ -94,7 +101,7 @@ class Directed {
     const std::array lengths{dot(uv, uv), dot(vw, vw), dot(wu, wu)};
     std::size_t face = 3;
     for (std::size_t i = 0; i < 3; ++i) {
-      if (outside[i] <= 0) continue;
+      if (outside[i] <= zero()) continue;
       if (face == 3 || outside[i] * outside[i] * lengths[face] > outside[face] * outside[face] * lengths[i]) face = i;
     }
     const Corner p = corners_[face], q = corners_[face == 2 ? 0 : face + 1];
@@ -104,7 +111,8 @@ class Directed {
 
   std::array<Corner, 4> corners_{};
   std::uint32_t size_;
-  Plain direction_;
+  Way direction_;
 };
+using Directed = DirectedOf<double>;
 
 }  // namespace plumb::query::gjk_search

@@ -4,11 +4,11 @@
 #include "plumb/arith/ball.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/core.hpp"
+#include "query/convex/search.hpp"
 #include "query/gjk/body_pair.hpp"
-#include "query/gjk/origin.hpp"
-#include "query/gjk/quick_meeting.hpp"
+#include "query/gjk/met_at_once.hpp"
 #include "query/gjk/quick_nearest.hpp"
-#include "query/separation/guessed_corners.hpp"
+#include "query/separation/told_pair.hpp"
 
 namespace plumb::query {
 namespace {
@@ -44,8 +44,9 @@ GjkStep step_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorn
     step.weight[i] = rounded(n.weight[i], n.whole);
     at = at + n.at[i] * n.weight[i];
   }
-  step.direction = {rounded(at.x, n.whole), rounded(at.y, n.whole), rounded(at.z, n.whole)};
-  step.square = rounded(n.square, n.square_whole);
+  const BigDyadic scale = a.scale<BigDyadic>(), whole = n.whole * scale;
+  step.direction = {rounded(at.x, whole), rounded(at.y, whole), rounded(at.z, whole)};
+  step.square = rounded(n.square, n.square_whole * (scale * scale));
   return step;
 }
 
@@ -54,35 +55,6 @@ struct Found {
   ProvedCorners proved;
   std::uint32_t steps = 0;
 };
-
-/// Seen from near to it.
-class NearHull {
- public:
-  NearHull(const QuickHull& hull, const arith::Plain& origin, std::uint32_t last)
-      : hull_(hull), origin_(origin), last_(last) {}
-  [[nodiscard]] arith::Plain at(std::uint32_t i) const { return hull_.at(i) - origin_; }
-  std::uint32_t least(const arith::Plain& n) { return last_ = hull_.farthest(n * -1, last_); }
-
- private:
-  const QuickHull& hull_;
-  arith::Plain origin_;
-  std::uint32_t last_;
-};
-
-/// Of hulls without a radius by what QuickHull tells, else by corners.
-DifferenceCorners guessed_at_once(const SeenBody& a, const SeenBody& b, bool is_known, DifferenceCorners from,
-                                  std::uint32_t& steps) {
-  QuickHull p, q;
-  if (!p.set(a.view) || !q.set(b.view)) return guessed_nearest(a.corners, b.corners, from, steps);
-  if (!is_known) {
-    const arith::Plain way = p.middle() - q.middle();
-    from.ends[0] = {p.farthest(way * -1, 0), q.farthest(way, 0)};
-  }
-  const auto [first_a, first_b] = from.ends[0];
-  const arith::Plain origin = p.at(first_a);
-  NearHull near_p(p, origin, first_a), near_q(q, origin, first_b);
-  return guessed_between(near_p, near_q, from, steps);
-}
 
 /// As far as doubles prove it.
 std::optional<Found> quickly_found(const SeenBody& a, const SeenBody& b, const GjkOptions& options) {
@@ -96,7 +68,7 @@ std::optional<Found> quickly_found(const SeenBody& a, const SeenBody& b, const G
       return f;
     }
   }
-  guess = guessed_at_once(a, b, is_known, guess, f.steps);
+  guess = guessed_nearest(a.corners, b.corners, is_known ? guess : DifferenceCorners{}, f.steps);
   const auto j = judged<Running>(a.corners, b.corners, guess);
   if (!j || !j->holds) return {};
   f.proved = j->proved;
@@ -131,56 +103,15 @@ bool is_real_but_of_solids(const CoreCorners& c) { return c.polyhedron() != null
 
 /// Of a body that doubles may be asked of before it has been looked at: no polygon, and no radius under a pose.
 std::optional<CoreCorners> corners_at_once(const BodyView& v) {
-  if (!v.is_hull()) {
-    if (is_one_of(v.figure.kind, {FigureKind::quadrilateral, FigureKind::polygon})) return {};
-    const double radius = radius_of(v.figure);
-    if (!(radius >= 0 && radius < Ball::infinity) || (radius > 0 && v.pose != nullptr)) return {};
+  if (!v.is_hull() && is_one_of(v.figure.kind, {FigureKind::quadrilateral, FigureKind::polygon})) return {};
+  if (const double radius = radius_of(v); radius != 0) {
+    if (!(radius >= 0 && radius < Ball::infinity) || (radius > 0 && !is_rigid(v.pose))) return {};
   }
   auto corners = CoreCorners::of(v);
   if (corners && !is_real_but_of_solids(*corners)) return {};
   return corners;
 }
-double radius_at_once(const BodyView& v) { return v.is_hull() ? 0 : radius_of(v.figure); }
-
-/// Do these corners hold the origin?  Of four the faces are asked: what is strictly inside of them is found elsewhere.
-bool touches(const QuickHull& a, const QuickHull& b, const GjkSimplex& near) {
-  const auto asked = [&](std::initializer_list<std::uint32_t> of) {
-    gjk_origin::Pairs pairs{};
-    std::size_t count = 0;
-    for (const std::uint32_t i : of) {
-      pairs.a[count] = a.given(near.corners[i][0]), pairs.b[count++] = b.given(near.corners[i][1]);
-    }
-    if (count == 1) return pairs.a[0] == pairs.b[0];
-    return count == 2 ? certainly(gjk_origin::HoldsOrigin<2>{}, pairs) : certainly(gjk_origin::HoldsOrigin<3>{}, pairs);
-  };
-  switch (near.size) {
-    case 1:
-      return asked({0});
-    case 2:
-      return asked({0, 1});
-    case 3:
-      return asked({0, 1, 2});
-    default:
-      return asked({0, 1, 2}) || asked({0, 1, 3}) || asked({0, 2, 3}) || asked({1, 2, 3});
-  }
-}
-
-bool are_real(const QuickHull& h) { return h.solid() != nullptr || h.is_finite(); }
-
-/// Of hulls without a radius, as far as doubles, or signs at few corners, tell it.
-std::optional<bool> met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& cache) {
-  std::uint32_t steps = 0;
-  const Told told = quickly_told(a, b, cache, steps);
-  if (told == Told::apart) return false;
-  if (!are_real(a.hull) || !are_real(b.hull)) return {};
-  if (told == Told::meet) return true;
-  const bool are_given = a.hull.is_given() && b.hull.is_given();
-  if (are_given && touches(a.hull, b.hull, cache.simplex)) return true;
-  const auto p = CoreCorners::of(a.view), q = CoreCorners::of(b.view);
-  cache.simplex = simplex_of(guessed_nearest(*p, *q, start_of(&cache, *p, *q), steps));
-  if (are_given && touches(a.hull, b.hull, cache.simplex)) return true;
-  return {};
-}
+double radius_at_once(const BodyView& v) { return radius_of(v); }
 
 void remember(const GjkOptions& options, const QuickNearest& found) {
   if (options.cache == nullptr) return;
@@ -194,33 +125,53 @@ std::optional<double> apart_at_once(const BodyView& a, const BodyView& b, const 
   QuickHull p, q;
   if (options.history != nullptr || !p.set(a) || !q.set(b) || !p.is_given() || !q.is_given()) return {};
   const auto found = quickly_nearest(p, q, options.cache);
-  if (!found || (found->proved.meets && !(are_real(p) && are_real(q)))) return {};
+  if (!found || (found->proved.meets && !(p.is_finite_but_of_solid() && q.is_finite_but_of_solid()))) return {};
   const auto d = found->proved.meets ? 0 : quick_distance(p, q, found->proved.corners);
   if (d) remember(options, *found);
   return d;
 }
 
-/// Of a polyhedron or a hull of points, of which no other corner lies in the plane.
-std::optional<Feature> feature_of(const QuickHull& h, const NamedCorners& of) {
-  return h.solid() != nullptr ? feature_of_mesh(*h.solid(), of.all()) : least_feature(of.all());
+/// Of a hull as given, in which a plane touches these corners; others lie in it where it `is_level`.
+std::optional<Feature> feature_of(const BodyView& v, const QuickHull& h, const NamedCorners& of, bool is_level) {
+  if (is_level && (h.solid() == nullptr || of.size != 3)) return {};
+  if (h.solid() != nullptr) return feature_of_mesh(*h.solid(), of.all());
+  if (v.is_hull()) return least_feature(of.all());
+  const auto corners = CoreCorners::of(v.figure);
+  const std::uint64_t level = level_of(*corners, of.all());
+  return feature_of_corners(v.figure, *corners, of.all(), {true, level, level});
+}
+
+/// A point that both have in common.
+Closest common_point(const BodyView& a, const BodyView& b, const QuickHull& p, const QuickHull& q,
+                     const ProvedCorners& proved) {
+  if (const auto c = quick_common(p, q, proved.corners)) return *c;
+  return told_places(QuickPair(*CoreCorners::of(a), *CoreCorners::of(b), 0, 0, proved).any_pair(), 0, 0);
+}
+
+/// As far as the quick search found it, and the features are those of its corners.
+std::optional<Closest> closest_of(const BodyView& a, const BodyView& b, const QuickHull& p, const QuickHull& q,
+                                  const QuickNearest& found, WhichPair which) {
+  if (which == WhichPair::first && !found.proved.is_alone) return {};
+  if (found.proved.meets) return common_point(a, b, p, q, found.proved);
+  const auto feature_a = feature_of(a, p, found.of_a, found.proved.a.level != 0);
+  const auto feature_b = feature_of(b, q, found.of_b, found.proved.b.level != 0);
+  if (!feature_a || !feature_b) return {};
+  auto c = quick_points(p, q, found.proved.corners);
+  if (c) c->feature_a = *feature_a, c->feature_b = *feature_b;
+  return c;
 }
 
 std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options) {
-  const auto is_known_kind = [](const BodyView& v) {
-    return v.is_hull() || v.figure.kind == FigureKind::convex_polyhedron;
-  };
-  if (options.history != nullptr || !is_known_kind(a) || !is_known_kind(b)) return {};
   QuickHull p, q;
-  if (!p.set(a) || !q.set(b) || !p.is_given() || !q.is_given()) return {};
+  if (options.history != nullptr || !p.set(a) || !q.set(b) || !p.is_given() || !q.is_given()) return {};
   const auto found = quickly_nearest(p, q, options.cache);
-  if (!found || found->proved.meets || !found->proved.is_alone) return {};
-  auto c = quick_points(p, q, found->proved.corners);
+  if (!found) return {};
+  const bool meets = found->proved.meets;
+  if (meets && !(p.is_finite_but_of_solid() && q.is_finite_but_of_solid())) return {};
+  const auto c = closest_of(a, b, p, q, *found, options.pair);
   if (!c) return {};
-  const auto feature_a = feature_of(p, found->of_a), feature_b = feature_of(q, found->of_b);
-  if (!feature_a || !feature_b) return {};
-  c->feature_a = *feature_a, c->feature_b = *feature_b;
   remember(options, *found);
-  return GjkAnswer{false, *c, found->steps, simplex_of(found->proved.corners)};
+  return GjkAnswer{meets, *c, found->steps, simplex_of(found->proved.corners)};
 }
 
 }  // namespace
@@ -230,9 +181,9 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
   if (options.history == nullptr) {
     QuickBody first{a}, second{b};
     if (first.hull.set(a) && second.hull.set(b)) {
-      const auto met = met_at_once(first, second, guess);
-      if (met && options.cache != nullptr) *options.cache = guess;
-      if (met) return *met;
+      const Meeting met = met_at_once(first, second, guess);
+      if (met != Meeting::unsure && options.cache != nullptr) *options.cache = guess;
+      if (met != Meeting::unsure) return met != Meeting::apart;
     }
   }
   const BodyPair pair("gjk_intersects", a, b);
@@ -244,7 +195,8 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
 
 double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   if (const auto d = apart_at_once(a, b, options)) return *d;
-  const auto p = corners_at_once(a), q = corners_at_once(b);
+  auto p = corners_at_once(a), q = corners_at_once(b);
+  if (p && q) bring_to_one_weight(*p, *q);
   if (options.history == nullptr && p && q) {
     if (const auto f = quickly_found({a, *p}, {b, *q}, options)) {
       remember(options, *p, *q, f->proved);
@@ -260,7 +212,8 @@ double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& opti
 
 GjkAnswer gjk_answer(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   if (const auto answer = answered_at_once(a, b, options)) return *answer;
-  const auto p = corners_at_once(a), q = corners_at_once(b);
+  auto p = corners_at_once(a), q = corners_at_once(b);
+  if (p && q) bring_to_one_weight(*p, *q);
   if (options.history == nullptr && p && q) {
     const auto f = quickly_found({a, *p}, {b, *q}, options);
     if (f && !f->proved.meets) {
@@ -274,7 +227,16 @@ GjkAnswer gjk_answer(const BodyView& a, const BodyView& b, const GjkOptions& opt
   const BodyPair pair("gjk", a, b);
   const Found f = certainly_found(pair.a(), pair.b(), options);
   remember(options, pair.a(), pair.b(), f.proved);
-  return {pair.meets(f.proved), pair.closest(f.proved), f.steps, simplex_of(f.proved.corners)};
+  return {pair.meets(f.proved), pair.closest(f.proved, options.pair), f.steps, simplex_of(f.proved.corners)};
+}
+
+std::optional<double> distance_by_search(const FigureView& a, const FigureView& b) {
+  return apart_at_once({.figure = a}, {.figure = b}, {});
+}
+
+std::optional<Closest> closest_by_search(const FigureView& a, const FigureView& b) {
+  const auto answer = answered_at_once({.figure = a}, {.figure = b}, {.pair = WhichPair::first});
+  return answer ? std::optional(answer->closest) : std::nullopt;
 }
 
 }  // namespace plumb::query

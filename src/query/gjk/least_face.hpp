@@ -12,8 +12,9 @@
 
 namespace plumb::query {
 
-/// Of a point of the hull.
-Feature least_face(const std::vector<Exact3>& points, const Exact3& x);
+/// Of a point of the hull, none of which is beyond it along `way`: points that are less far are in no face with it.  All of
+/// them are asked where that leads nowhere.
+Feature least_face(const std::vector<Exact3>& points, const Exact3& x, const Exact3& way);
 
 /// Of the flat that the points span.
 int dimension_of(const std::vector<Exact3>& points);

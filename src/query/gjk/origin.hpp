@@ -91,46 +91,4 @@ struct IsAroundOrigin {
   }
 };
 
-/// Is the origin in the segment or triangle of two or three corners, its ends and edges included?  That of corners on one
-/// line is left to others: no.
-template <int count>
-struct HoldsOrigin {
-  static constexpr int highest = count == 2 ? 2 : 4;
-  template <class W>
-  bool operator()(W& w, const Pairs& p) const {
-    using N = decltype(w.difference(0.0, 0.0));
-    using Corner = std::array<N, 3>;
-    const auto corner = [&](std::size_t i) {
-      return Corner{w.difference(p.a[i].x, p.b[i].x), w.difference(p.a[i].y, p.b[i].y),
-                    w.difference(p.a[i].z, p.b[i].z)};
-    };
-    const auto crossed = [](const auto& u, const auto& v) {
-      const auto x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
-      return std::array<std::remove_const_t<decltype(x)>, 3>{x, y, z};
-    };
-    const auto product = [](const auto& u, const auto& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
-    const Corner u = corner(0), v = corner(1);
-    const auto uv = crossed(u, v);
-    if constexpr (count == 2) {
-      for (const auto& x : uv) {
-        if (w.sign(x) != Sign::zero) return false;
-      }
-      return w.sign(product(u, v)) != Sign::positive;
-    } else {
-      const Corner t = corner(2);
-      if (w.sign(product(uv, t)) != Sign::zero) return false;
-      const auto vt = crossed(v, t), tu = crossed(t, u);
-      const auto along = [&](std::size_t k) { return uv[k] + vt[k] + tu[k]; };
-      const std::array normal{along(0), along(1), along(2)};
-      bool is_some = false;
-      for (const auto* part : {&uv, &vt, &tu}) {
-        const Sign weight = w.sign(product(*part, normal));
-        if (weight == Sign::negative) return false;
-        is_some = is_some || weight == Sign::positive;
-      }
-      return is_some;  // the weights add up to the square of the normal
-    }
-  }
-};
-
 }  // namespace plumb::query::gjk_origin

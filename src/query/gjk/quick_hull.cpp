@@ -7,10 +7,10 @@
 namespace plumb::query {
 
 bool QuickHull::set(const BodyView& body) {
-  pose_ = body.pose, is_given_ = body.pose == nullptr;
+  if (!take_pose(body.pose)) return false;
   if (body.is_hull()) {
     at_ = body.vertices.data(), size_ = static_cast<std::uint32_t>(body.vertices.size());
-    return size_ > 0;
+    return size_ > 0 && body.radius == 0;
   }
   if (body.figure.kind != FigureKind::convex_polyhedron) return set_few(body.figure);
   solid_ = static_cast<const ConvexPolyhedron3*>(body.figure.shape);
@@ -19,10 +19,10 @@ bool QuickHull::set(const BodyView& body) {
 }
 
 bool QuickHull::set(const CoreCorners& core) {
-  if (const auto points = core.points(); !points.empty()) {
+  if (const auto points = core.points(); !points.empty() && !core.has_scale()) {
     at_ = points.data(), size_ = static_cast<std::uint32_t>(points.size());
-    solid_ = core.polyhedron(), pose_ = core.pose(), is_given_ = pose_ == nullptr;
-    return true;
+    solid_ = core.polyhedron();
+    return take_pose(core.pose());
   }
   if (core.size() > few_.size()) return false;
   for (std::size_t i = 0; i < core.size(); ++i) {
@@ -30,6 +30,13 @@ bool QuickHull::set(const CoreCorners& core) {
     few_[size_++] = {p.x, p.y, p.z};
   }
   at_ = few_.data(), is_given_ = false;
+  return true;
+}
+
+bool QuickHull::take_pose(const PoseView& pose) {
+  const auto* matrix = std::get_if<const Pose*>(&pose.by);
+  if (matrix == nullptr && !pose.stands()) return false;
+  pose_ = matrix == nullptr ? nullptr : *matrix, is_given_ = pose_ == nullptr;
   return true;
 }
 

@@ -23,9 +23,9 @@ class QuickHull {
   QuickHull& operator=(const QuickHull&) = delete;
   ~QuickHull() = default;
 
-  /// Not of what is round, of polygons whose convexity is to be proved, and of what is empty: false.
+  /// Not of what is round, of polygons whose convexity is to be proved, of what is empty, and under a rigid pose: false.
   bool set(const BodyView& body);
-  /// Of any core but of what is swept, with the numbers of its corners.
+  /// Of any core but of what is swept or under a rigid pose, with the numbers of its corners.
   bool set(const CoreCorners& core);
 
   [[nodiscard]] std::uint32_t size() const { return size_; }
@@ -51,6 +51,8 @@ class QuickHull {
   }
   /// Is every number of it one?
   [[nodiscard]] bool is_finite() const;
+  /// The same, but of a polyhedron, whose numbers are what convex_polyhedron made and are not looked through.
+  [[nodiscard]] bool is_finite_but_of_solid() const { return solid_ != nullptr || is_finite(); }
   /// About its middle.
   [[nodiscard]] arith::Plain middle() const {
     const std::uint32_t last = size_ - 1;
@@ -61,6 +63,7 @@ class QuickHull {
   static constexpr std::uint32_t most_scanned = quick_scan::most_at_once;
 
   bool set_few(const FigureView& figure);
+  bool take_pose(const PoseView& pose);
   [[nodiscard]] arith::Plain image(const arith::Plain& p) const {
     const auto& [u, v, w] = pose_->columns;
     return {u.x * p.x + v.x * p.y + w.x * p.z, u.y * p.x + v.y * p.y + w.y * p.z, u.z * p.x + v.z * p.y + w.z * p.z};

@@ -118,16 +118,16 @@ bool is_apart(const QuickBody& a, const QuickBody& b, const Plain& n, const GjkC
   const Point3 m{middle.x, middle.y, middle.z};
   const auto beyond = [&](const QuickBody& body, std::uint32_t from, Sign side) {
     return body.hull.is_given() ? is_beyond_plane(body.hull, from, n, m, side)
-                                : is_beyond_plane(*CoreCorners::of(body.view), from, n, arith::vec<Running>(m), side);
+                                : is_beyond_plane(body.corners(), from, n, arith::vec<Running>(m), side);
   };
   return beyond(a, ends[0], Sign::positive) && beyond(b, ends[1], Sign::negative);
 }
 
 bool is_around(const QuickBody& a, const QuickBody& b, const std::array<GjkCorner, 4>& corners) {
   if (a.hull.is_given() && b.hull.is_given()) return are_around_origin(a.hull, b.hull, corners);
-  const auto p = CoreCorners::of(a.view), q = CoreCorners::of(b.view);
+  const CoreCorners p = a.corners(), q = b.corners();
   std::array<RunningVec, 4> at;
-  for (std::size_t i = 0; i < 4; ++i) at[i] = p->at<Running>(corners[i][0]) - q->at<Running>(corners[i][1]);
+  for (std::size_t i = 0; i < 4; ++i) at[i] = p.at<Running>(corners[i][0]) - q.at<Running>(corners[i][1]);
   return figure::gjk::is_around_origin(
       [&](std::size_t i, std::size_t j, std::size_t k) { return certain(dot(at[i], cross(at[j], at[k]))); });
 }

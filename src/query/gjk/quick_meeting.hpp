@@ -18,6 +18,9 @@ enum class Told : unsigned char { apart, meet, unsure };
 struct QuickBody {
   const BodyView& view;
   QuickHull hull = {};
+  const CoreCorners* core = nullptr;  // of what is no body; else those of the body
+
+  [[nodiscard]] CoreCorners corners() const { return core != nullptr ? *core : *CoreCorners::of(view); }
 };
 
 /// Of hulls as given: is the origin strictly within these corners of the difference, as far as doubles prove it?

@@ -48,7 +48,6 @@ std::optional<Relation> relate_figures(const FlatView& a, const FlatView& b) {
   if (is_one_plane(b)) return relate_by_extent(b, a);
   if (has_axes(a) && has_axes(b)) return relate_by_axes({a}, {b});
   if (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) {
-    if (const auto found = relate_by_search(a, b)) return found;
     return a.kind == FigureKind::convex_polyhedron ? relate_by_slack(a, b) : relate_by_slack(b, a);
   }
   return {};
@@ -62,9 +61,18 @@ std::optional<Relation> relate_quickly(const FlatView& a, const FlatView& b) {
   return relate_figures(a, b);
 }
 
+/// The search of convex pairs answers before the figures are looked through.
+bool is_searched(const FlatView& a, const FlatView& b) {
+  return (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) && !is_empty_box(a) &&
+         !is_empty_box(b);
+}
+
 }  // namespace
 
 Relation relate_flat(const FlatView& a, const FlatView& b) {
+  if (is_searched(a, b)) {
+    if (const auto found = relate_by_search(a, b)) return *found;
+  }
   require_figures("relate", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("relate", a, b);
   if (const auto quick = relate_quickly(a, b)) return *quick;
@@ -72,6 +80,9 @@ Relation relate_flat(const FlatView& a, const FlatView& b) {
 }
 
 bool flat_intersects(const FlatView& a, const FlatView& b) {
+  if (is_searched(a, b)) {
+    if (const auto found = meet_by_search(a, b)) return *found;
+  }
   require_figures("intersects", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("intersects", a, b) != Relation::disjoint;
   if (const auto quick = relate_quickly(a, b)) return *quick != Relation::disjoint;

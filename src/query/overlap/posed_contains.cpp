@@ -1,6 +1,7 @@
 // An outer figure is convex, so that it holds a hull where it holds what the hull is of: points, balls and disks.  Halfspaces
 // are seen by the inner figure as it is before its pose; a round outer one sees the parts as it is before its own.
 #include <algorithm>
+#include <string>
 
 #include "plumb/arith/error.hpp"
 #include "plumb/query/overlap/posed.hpp"
@@ -72,9 +73,9 @@ class PosedHolding {
     const ExactMap seen = regular ? composed(inverse(outer_.map), inner_.map) : exact_identity();
     const auto scale = regular ? squared_scale(seen, outer_.dimension) : std::nullopt;
     if (!scale) {
-      throw UnevenPose(
-          "contains: neither pose is a similarity to the other; give round figures poses of columns at right angles "
-          "and of one length, or one pose");
+      throw UnevenPose(std::string("contains: neither pose is a similarity to the other; of round figures ")
+                           .append(rigid_instead)
+                           .append(", or columns at right angles and of one length, or both one pose"));
     }
     const RoundBody round = round_body(figure_).value();  // no other kind holds what is round
     return all_ends(round, [&](const ExactHalfspace& end) { return halfspace_holds(before(end, seen, 3), parts_); }) &&

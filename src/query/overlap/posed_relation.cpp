@@ -96,6 +96,10 @@ class PosedRelation {
             why));
   }
 
+  [[noreturn]] void refuse(std::string_view why, std::string_view or_else) const {
+    refuse(std::string(why).append(rigid_instead).append(or_else));
+  }
+
   Relation round_with(const PosedSet& round, const PosedSet& other) const {
     const mpq_class reach = round.radius * round.radius;
     if (!other.is_polygon()) {
@@ -130,9 +134,8 @@ class PosedRelation {
       }
     }
     if (is_ellipsoid(a_) && is_ellipsoid(b_)) return relate_ellipsoids(of_unit_ball(a_), of_unit_ball(b_));
-    refuse(
-        "neither pose is a similarity to the other; give capsules and lozenges poses of columns at right angles and of "
-        "one length, or one pose");
+    refuse("neither pose is a similarity to the other; of capsules and lozenges ",
+           ", or columns at right angles and of one length, or both one pose");
   }
 
   /// Of a ball under a map that has an inverse.
@@ -155,8 +158,7 @@ class PosedRelation {
     const ExactMap seen = composed(inverse(round.map), other.map);
     if (other.is_polygon()) return relate_axis_shape(image(seen, other.chains), round.axis);
     const auto scale = squared_scale(seen, 3);
-    if (!scale)
-      refuse("the ball is none as the shape sees it; give poses of columns at right angles and of one length");
+    if (!scale) refuse("the ball is none as the shape sees it; ", ", or columns at right angles and of one length");
     return relate_axis_shape(image(seen, other.core.points[0]), other.radius * other.radius * *scale, round.axis);
   }
 
@@ -170,7 +172,7 @@ class PosedRelation {
     if (is_singular(s.map)) refuse("a pose flattens the cap; give one whose matrix is not singular");
     const ExactMap seen = composed(inverse(s.map), other.map);
     const auto scale = squared_scale(seen, 3);
-    if (!scale) refuse("the ball is none as the cap sees it; give poses of columns at right angles and of one length");
+    if (!scale) refuse("the ball is none as the cap sees it; ", ", or columns at right angles and of one length");
     return relate_exact_cap(image(seen, other.core.points[0]), other.radius * other.radius * *scale, *s.cap);
   }
 

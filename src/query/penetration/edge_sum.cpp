@@ -18,8 +18,21 @@ int alike(const Vector3& u, const Vector3& v) {
   return (x > 0) == (y > 0) ? 1 : -1;
 }
 
-bool turns_alike(const Pose* p, const Pose* q) {
-  return p == q || (p != nullptr && q != nullptr && p->columns == q->columns);
+bool turns_alike(const PoseView& p, const PoseView& q) {
+  if (p == q) return true;
+  return std::visit(
+      []<class P, class Q>(const P& of_p, const Q& of_q) {
+        if constexpr (!std::is_same_v<P, Q>) {
+          return false;
+        } else if constexpr (requires { of_p->columns; }) {
+          return of_p->columns == of_q->columns;
+        } else if constexpr (requires { of_p->turn; }) {
+          return of_p->turn == of_q->turn;
+        } else {
+          return false;
+        }
+      },
+      p.by, q.by);
 }
 
 }  // namespace
@@ -41,7 +54,7 @@ void EdgeSum::add(std::uint32_t body, const CoreCorners& c, std::uint32_t bit) {
   }
   const auto g = static_cast<std::uint32_t>(groups_++);
   along_[g] = along, pose_[g] = c.pose();
-  if (along && c.pose() == nullptr) axis_[g] = coordinate_axis(*along);
+  if (along && c.stands()) axis_[g] = coordinate_axis(*along);
   edges_[size_++] = {body, bit, g, false};
 }
 

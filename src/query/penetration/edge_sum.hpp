@@ -44,7 +44,8 @@ class EdgeSum {
 
   template <class T>
   [[nodiscard]] SumParts<T> parts() const {
-    SumParts<T> p{};
+    const Vec<T> none{T(0.0), T(0.0), T(0.0)};
+    SumParts<T> p{{none, none, none, none, none, none}, none};
     std::array<bool, 6> is_begun{};
     for (const SumEdge& e : edges()) {
       const Vec<T> v = (e.body == 0 ? of_.a : of_.b).template edge<T>(e.bit);
@@ -62,7 +63,7 @@ class EdgeSum {
   const Difference& of_;
   std::array<SumEdge, 6> edges_{};
   std::array<std::optional<Vector3>, 6> along_;  // of the first of each group
-  std::array<const Pose*, 6> pose_{};
+  std::array<PoseView, 6> pose_{};
   std::array<std::optional<int>, 6> axis_;
   std::size_t size_ = 0, groups_ = 0;
 };

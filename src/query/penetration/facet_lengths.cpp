@@ -13,7 +13,7 @@ Ball as_ball(const W& w, const N& x) {
 
 std::optional<FacetLengthsTold> facet_lengths(const Difference& d, const std::array<Ends, 3>& facet) {
   const auto a = d.a.points(), b = d.b.points();
-  if (a.empty() || b.empty() || d.a.pose() != nullptr || d.b.pose() != nullptr) return {};
+  if (a.empty() || b.empty() || !d.a.stands() || !d.b.stands()) return {};
   TrianglePairs of;
   for (std::size_t i = 0; i < 3; ++i) of.a[i] = a[facet[i][0]], of.b[i] = b[facet[i][1]];
   PairWorld<FacetLengths> w;

@@ -44,7 +44,8 @@ Way back_from(const Difference& d, const DifferenceCorners& nearest) {
 Sign compare_with_radii(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic, Sought::square>(d.a, d.b, nearest, ask);
-  return sign_of_number(cmp(gmp_number(n.square), radii * radii * gmp_number(n.square_whole)));
+  const BigDyadic scale = d.a.scale<BigDyadic>();
+  return sign_of_number(cmp(gmp_number(n.square), radii * radii * gmp_number(n.square_whole * (scale * scale))));
 }
 
 FirstWay first_way(const Difference& d, std::span<const std::array<Ends, 3>> facets) {
@@ -63,16 +64,18 @@ Parting first_of(const Difference& d, const NearestPlanes& planes) {
           planes.level};
 }
 
+Parting parted_from(const Difference& d, const CoreDistance& core) {
+  if (!core.meet) return {back_from(d, core.nearest), true, true};
+  const NearestPlanes planes = nearest_planes(d, core, EveryWay());
+  if (planes.facets.empty()) return {beside(d, planes.flat), false, false, true};
+  return first_of(d, planes);
+}
+
 std::optional<Parting> parted(const Difference& d, const std::optional<mpq_class>& radii) {
   if (const auto proved = proved_planes(d)) return first_of(d, *proved);
   const CoreDistance core = core_distance(d);
-  if (!core.meet) {
-    if (!radii || compare_with_radii(d, core.nearest, *radii) == Sign::positive) return {};
-    return Parting{back_from(d, core.nearest), true, true};
-  }
-  const NearestPlanes planes = nearest_planes(d, core, EveryWay());
-  if (planes.facets.empty()) return Parting{beside(d, planes.flat), false, false, true};
-  return first_of(d, planes);
+  if (!core.meet && (!radii || compare_with_radii(d, core.nearest, *radii) == Sign::positive)) return {};
+  return parted_from(d, core);
 }
 
 }  // namespace plumb::query::parting

@@ -30,6 +30,9 @@ struct CoreDistance {
 };
 CoreDistance core_distance(const Difference& d);
 
+/// From there on: of cores that are apart the way back from the nearest point.
+Parting parted_from(const Difference& d, const CoreDistance& core);
+
 /// The sign of that distance less the radii, of cores that are apart.
 Sign compare_with_radii(const Difference& d, const DifferenceCorners& nearest, const mpq_class& radii);
 

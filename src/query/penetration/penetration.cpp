@@ -112,18 +112,21 @@ std::optional<Penetration> quick_numbers(const Told& t) {
 Penetration exact_numbers(const Told& t) {
   const Lengths<BigDyadic> n(t.difference(), t.parting.way, t.flush.in_plane);
   const mpq_class radii = t.radii.value_or(0);
-  const BigDyadic over{mpz_class(radii.get_num())}, under{mpz_class(radii.get_den())}, none(0.0);
+  // The way is as it may be, the overlap so many times that of the bodies.
+  const BigDyadic scale = t.corners[0].scale<BigDyadic>(), none(0.0);
+  const BigDyadic over = BigDyadic{mpz_class(radii.get_num())} * scale, under{mpz_class(radii.get_den())};
+  const BigDyadic whole = under * n.square * scale;
   constexpr Rounding nearest = Rounding::nearest;
   const bool is_round = t.radii.has_value();
   Penetration p = without_numbers(t);
-  // over / under + h / root(w), which is (over w + under h root(w)) / (under w).
-  p.depth = is_round ? rounded_radical(nearest, over * n.square, under * n.overlap, n.square, under * n.square)
-                     : rounded_root(nearest, n.overlap * n.overlap, n.square);
+  // With the scale s, radii r / u and over = r s: r / u + h / (s root(w)) is (over w + u h root(w)) / (u w s).
+  p.depth = is_round ? rounded_radical(nearest, over * n.square, under * n.overlap, n.square, whole)
+                     : rounded_root(nearest, n.overlap * n.overlap, n.square * (scale * scale));
   const auto unit = [&](const BigDyadic& x) { return rounded_radical(nearest, none, x, n.square, n.square) + 0.0; };
   p.direction = {unit(n.way.x), unit(n.way.y), unit(n.way.z)};
   const auto move = [&](const BigDyadic& x) {
-    return is_round ? rounded_radical(nearest, x * under * n.overlap, x * over, n.square, under * n.square) + 0.0
-                    : rounded_quotient(nearest, x * n.overlap, n.square) + 0.0;
+    return is_round ? rounded_radical(nearest, x * under * n.overlap, x * over, n.square, whole) + 0.0
+                    : rounded_quotient(nearest, x * n.overlap, n.square * scale) + 0.0;
   };
   p.translation = {move(n.way.x), move(n.way.y), move(n.way.z)};
   return p;

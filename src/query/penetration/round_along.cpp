@@ -81,19 +81,25 @@ std::optional<RoundPenetrationAlong> round_penetration_along_of(const BodyView& 
       return RoundPenetrationAlong{0, Root(0), 0, {}, flush.a, flush.b};
     }
   }
+  // Corners are so many times those of the bodies.
+  const BigDyadic scale = d.a.scale<BigDyadic>();
+  const mpq_class as_scaled = radius * gmp_number(scale);
+  const auto time_of = [&](const RoundExit& exit) {
+    return Time{exit.time->before, exit.time->radicand, exit.time->whole * scale};
+  };
   std::size_t index = 0;
   std::optional<RoundExit> first;
   std::optional<SquaredLength> least;
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    RoundExit exit = parting::round_exit(d, directions[i], radius, core.nearest);
-    SquaredLength square(*exit.time, directions[i]);
+    RoundExit exit = parting::round_exit(d, directions[i], as_scaled, core.nearest);
+    SquaredLength square(time_of(exit), directions[i]);
     if (least && !is_less(square, *least)) continue;
     index = i, first.emplace(std::move(exit)), least.emplace(std::move(square));
   }
   const Features f = features_at(a, b, d, *first);
+  const Time time = time_of(*first);
   return RoundPenetrationAlong{
-      index, multiple_of(*first->time), least->rounded_length(), translation_of(*first->time, directions[index]), f.a,
-      f.b};
+      index, multiple_of(time), least->rounded_length(), translation_of(time, directions[index]), f.a, f.b};
 }
 
 }  // namespace plumb::query

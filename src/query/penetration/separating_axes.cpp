@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "query/penetration/box_axes.hpp"
+#include "query/penetration/quick_axis.hpp"
 #include "query/penetration/zonotope.hpp"
 
 namespace plumb::query::parting {
@@ -45,29 +46,6 @@ Nearest nearest_normals(Zonotope& z) {
     if (order != Sign::positive) take(i);
   }
   return n;
-}
-
-/// A facet as three points, and what of the bodies lies in it.
-struct SumFacet {
-  std::array<SumLevel, 2> level;
-  std::array<Ends, 3> points;
-};
-
-/// On the side that is up the normal of two groups, or down it.
-template <class SignAlong>
-SumFacet facet_of(const EdgeSum& sum, std::uint32_t i, std::uint32_t j, Sign side, const SignAlong& sign_along) {
-  SumFacet f;
-  f.level = furthest_of(sum, [&](std::uint32_t g) { return g == i || g == j ? Sign::zero : side * sign_along(g); });
-  const Ends base{f.level[0].first, f.level[1].first};
-  f.points = {base, base, base};
-  Sign turn = side;
-  for (std::size_t k = 0; k < 2; ++k) {  // from the base along an edge of each of both groups
-    const SumEdge& e = sum.first_of(k == 0 ? i : j);
-    f.points[k + 1][e.body] |= 1U << e.bit;
-    if (e.body == 1) turn = -turn;
-  }
-  if (turn == Sign::negative) std::swap(f.points[1], f.points[2]);
-  return f;
 }
 
 /// A guess in doubles: the axis of two boxes along which they overlap least.
@@ -123,6 +101,7 @@ SumParting parted_sums(const Difference& d) {
   if (sum.groups() < 3) return told;
   if (sum.groups() == 3 && sum.axis(0) && sum.axis(1) && sum.axis(2)) return parted_along_axes(sum);
   if (const auto quick = quick_boxes(sum)) return *quick;
+  if (const auto quick = quick_axis(sum)) return *quick;
   Zonotope z(sum);
   const Nearest nearest = nearest_normals(z);
   if (nearest.is_apart) {

@@ -19,7 +19,7 @@ namespace plumb::query::parting {
 struct SumParting {
   enum class Known : unsigned char { nothing, apart, parting };
   Known known = Known::nothing;
-  std::optional<Parting> parting;
+  std::optional<Parting> parting;  // of what is apart a plane between them, where it is known
   std::array<SumLevel, 2> level;   // where the first touches the second
   std::array<bool, 2> is_plain{};  // the body's edges are known to be independent
   std::optional<Ball> overlap;     // along an axis of space, where it is known

@@ -44,9 +44,9 @@ class Way {
     if (kind_ == Kind::beside) return cross(u, cross(u, axis));
     return cross(d.between<T>(of_[0], of_[2]), u);
   }
-  /// What is level, where the way leads out through a plane; else one corner of each body.
+  /// What is level, where the way leads out through a plane or back from a line; else one corner of each body.
   [[nodiscard]] KnownPlane known(const Difference& d) const {
-    if (kind_ == Kind::plane) return {d, of_};
+    if (kind_ == Kind::plane || kind_ == Kind::line) return {d, of_};
     return {d, {of_[0], of_[0], of_[0]}};
   }
   /// Out through a plane before which nothing lies?

@@ -25,6 +25,9 @@ void require_hull(std::string_view function, const std::string& name, const Body
     const std::string part = name + ".vertices[" + std::to_string(i) + "]";
     require_finite_parts(function, {part}, body.vertices[i]);
   }
+  if (body.radius >= 0 && is_real(body.radius)) return;
+  figure::refuse_number(function, name + ".radius", std::array{body.radius});
+  figure::refuse_length(function, name + ".radius");
 }
 
 /// Throws where the polygon is not planar or not convex; on one line it may be.
@@ -44,17 +47,17 @@ void require_convex(std::string_view function, std::string_view name, const Figu
 
 CoreCorners sound_corners(std::string_view function, std::string_view name, const BodyView& body) {
   if (body.is_hull()) {
-    const std::string of_shape = std::string(name).append(body.pose != nullptr ? ".shape" : "");
+    const std::string of_shape = std::string(name).append(!body.pose.stands() ? ".shape" : "");
     require_hull(function, of_shape, body);
-    if (body.pose != nullptr) {
+    if (!body.pose.stands()) {
       constexpr Point3 origin{};
-      require_posed(function, name, {view_of(origin), body.pose, nullptr});
+      require_posed(function, name, {view_of(origin), body.pose});
     }
   } else {
-    require_posed(function, name, {body.figure, body.pose, nullptr});
+    require_posed(function, name, {body.figure, body.pose});
     const bool may_be_concave = is_one_of(body.figure.kind, {FigureKind::polygon, FigureKind::quadrilateral});
     if (may_be_concave) {
-      require_convex(function, std::string(name).append(body.pose != nullptr ? ".shape" : ""), body.figure);
+      require_convex(function, std::string(name).append(!body.pose.stands() ? ".shape" : ""), body.figure);
     }
   }
   if (const auto corners = CoreCorners::of(body)) return *corners;
@@ -73,23 +76,27 @@ std::string_view spoken(const BodyView& body) { return body.is_hull() ? "hull" :
 
 Body body_of(std::string_view function, std::string_view name, const BodyView& body) {
   const CoreCorners corners = sound_corners(function, name, body);
-  if (body.is_hull()) return {corners, 0};
+  if (body.is_hull()) return {corners, body.radius};
   const double radius = radius_of(body.figure);
-  if (radius == 0 || body.pose == nullptr) return {corners, radius};
-  const PosedView posed{body.figure, body.pose, nullptr};
+  if (radius == 0 || body.pose.stands()) return {corners, radius};
+  const PosedView posed{body.figure, body.pose};
   return {corners, radius_of_image(function, posed, posed_set(posed))};
 }
 
-bool has_radius(const BodyView& body) { return !body.is_hull() && radius_of(body.figure) != 0; }
+double radius_of(const BodyView& body) { return body.is_hull() ? body.radius : radius_of(body.figure); }
 
 std::array<CoreCorners, 2> corners_of(std::string_view function, const BodyView& a, const BodyView& b) {
   const auto [name_a, name_b] = names_of(a, b);
-  return {sound_corners(function, name_a, a), sound_corners(function, name_b, b)};
+  std::array<CoreCorners, 2> corners{sound_corners(function, name_a, a), sound_corners(function, name_b, b)};
+  bring_to_one_weight(corners[0], corners[1]);
+  return corners;
 }
 
 std::array<Body, 2> bodies_of(std::string_view function, const BodyView& a, const BodyView& b) {
   const auto [name_a, name_b] = names_of(a, b);
-  return {body_of(function, name_a, a), body_of(function, name_b, b)};
+  std::array<Body, 2> bodies{body_of(function, name_a, a), body_of(function, name_b, b)};
+  bring_to_one_weight(bodies[0].corners, bodies[1].corners);
+  return bodies;
 }
 
 }  // namespace plumb::query

@@ -25,7 +25,9 @@ Body body_of(std::string_view function, std::string_view name, const BodyView& b
 
 /// The same without the radius, and without GMP; of what is round it is known to be sound, but for an uneven pose.
 std::array<CoreCorners, 2> corners_of(std::string_view function, const BodyView& a, const BodyView& b);
-bool has_radius(const BodyView& body);
+/// Before its pose.
+double radius_of(const BodyView& body);
+inline bool has_radius(const BodyView& body) { return radius_of(body) != 0; }
 
 /// What a text calls it.
 std::string_view spoken(const BodyView& body);

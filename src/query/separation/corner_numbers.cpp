@@ -38,8 +38,9 @@ CornerNumbers numbers_of(const CoreCorners& a, const CoreCorners& b, const Diffe
   const auto d = root(quotient(near.square, near.square_whole)).nearest();
   if (on_a && on_b) return {*on_a, *on_b, d ? *d : distance_of(a, b, corners)};
   const auto n = nearest_of<BigDyadic>(a, b, corners, ask);
-  return {rounded_point(summed_corners(a, corners, 0, n), n.whole),
-          rounded_point(summed_corners(b, corners, 1, n), n.whole), d ? *d : distance_of(a, b, corners)};
+  const BigDyadic whole = n.whole * a.scale<BigDyadic>();
+  return {rounded_point(summed_corners(a, corners, 0, n), whole),
+          rounded_point(summed_corners(b, corners, 1, n), whole), d ? *d : distance_of(a, b, corners)};
 }
 
 double distance_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
@@ -47,13 +48,15 @@ double distance_of(const CoreCorners& a, const CoreCorners& b, const DifferenceC
   const auto near = nearest_of<Ball, Sought::square>(a, b, corners, ask);
   if (const auto d = root(quotient(near.square, near.square_whole)).nearest()) return *d;
   const auto n = nearest_of<BigDyadic, Sought::square>(a, b, corners, ask);
-  return rounded_root(Rounding::nearest, n.square, n.square_whole);
+  const BigDyadic scale = a.scale<BigDyadic>();
+  return rounded_root(Rounding::nearest, n.square, n.square_whole * (scale * scale));
 }
 
 mpq_class square_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic, Sought::square>(a, b, corners, ask);
-  return mpq_class(gmp_number(n.square) / gmp_number(n.square_whole));
+  const BigDyadic scale = a.scale<BigDyadic>();
+  return mpq_class(gmp_number(n.square) / gmp_number(n.square_whole * (scale * scale)));
 }
 
 }  // namespace plumb::query

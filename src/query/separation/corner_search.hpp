@@ -2,6 +2,7 @@
 //
 // Law: nothing is certain of it; four corners say that the hulls are likely to meet.
 // Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5.
+// src/query/gjk/corner_search.cpp finds them, for the support mappings are there.
 // Cost: some 100 to 600 ns; of polyhedra the way climbed, of 200 vertices some 1,300 ns.
 #pragma once
 
@@ -9,8 +10,8 @@
 
 namespace plumb::query {
 
-/// From these corners on, of which there is at least one; `rounds` grows by the simplices looked at.
-DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& from,
+/// From these corners on, or none; `rounds` grows by the simplices looked at.
+DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& known,
                                   std::uint32_t& rounds);
 DifferenceCorners guessed_nearest(const CoreCorners& a, const CoreCorners& b);
 

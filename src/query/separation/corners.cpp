@@ -60,8 +60,36 @@ std::optional<CoreCorners> CoreCorners::of(const BodyView& body) {
   }
   if (c.is_listed()) c.size_ = c.list_.size();
   if (c.size() == 0) return {};
-  c.pose_ = body.pose, c.stands_ = body.pose == nullptr;
+  c.take_pose(body.pose);
   return c;
+}
+
+void CoreCorners::take_pose(const PoseView& pose) {
+  pose_ = pose, stands_ = pose.stands();
+  std::visit(
+      [this]<class By>(const By& by) {
+        if constexpr (std::is_same_v<By, const Pose*>) {
+          columns_ = by->columns, translation_ = by->translation, is_turned_ = true;
+        } else if constexpr (std::is_same_v<By, const RigidPose*>) {
+          const auto m = exact_matrix(by->turn);
+          is_far_ = !m;
+          if (m) columns_ = m->columns, translation_ = by->translation, weight_ = m->weight, is_turned_ = true;
+        } else {
+          is_far_ = !std::is_same_v<By, std::monostate>;
+        }
+      },
+      pose.by);
+  has_scale_ = is_far_ || weight_ != 1;
+}
+
+void bring_to_one_weight(CoreCorners& a, CoreCorners& b) {
+  if (!a.has_scale_ && !b.has_scale_) return;
+  const bool is_far = a.is_far_ || b.is_far_;
+  const double weight_a = a.weight_, weight_b = b.weight_;
+  for (CoreCorners* c : {&a, &b}) {
+    c->is_far_ = is_far, c->has_scale_ = true, c->stands_ = false;
+    c->beside_ = (c == &a ? b : a).pose_, c->beside_weight_ = c == &a ? weight_b : weight_a;
+  }
 }
 
 std::optional<Vector3> CoreCorners::axis_of_edge(std::size_t k) const {
@@ -90,10 +118,11 @@ std::optional<GivenBox> CoreCorners::given_box() const {
 
 bool CoreCorners::is_finite() const {
   double sum = sum_of(by_) + sum_of(less_) + time_;
-  if (pose_ != nullptr) {
-    for (const Vector3& column : pose_->columns) sum += sum_of(column);
-    sum += sum_of(pose_->translation);
+  if (is_turned_) {
+    for (const Vector3& column : columns_) sum += sum_of(column);
+    sum += sum_of(translation_);
   }
+  if (is_far_) return false;
   if (!list_.empty()) {
     for (const Point3& p : list_) sum += sum_of(p);
     return is_real(sum);

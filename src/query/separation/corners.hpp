@@ -1,7 +1,9 @@
 // What are the corners of a convex core, over any number type?  Points as given, or sums of a point and some ways; under a
 // pose, or at a time of a straight motion.
 //
-// Law: corner i of a sum is its point plus or minus every way, plus where bit i is set; of a box as voronoi_region numbers it.
+// Laws: (1) corner i of a sum is its point plus or minus every way, plus where bit i is set; of a box as voronoi_region numbers
+// it.  (2) Numbers that can be divided (mpq_class, and those of pairs of doubles) are those of the body; all others are so
+// many times that (`scale`), of both bodies of a pair, so that a rigid pose's weight divides nothing.
 // Source: RTCD 4.4.
 // Cost: none.
 #pragma once
@@ -11,8 +13,12 @@
 #include <optional>
 #include <span>
 
+#include "arith/twofold.hpp"
 #include "arith/vec.hpp"
+#include "plumb/arith/ball.hpp"
 #include "plumb/query/separation/convex_body.hpp"
+#include "query/body/weighted_pose.hpp"
+#include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
 
 namespace plumb::query {
@@ -26,10 +32,22 @@ struct GivenBox {
   std::array<Ends, 3> length, middle;
 };
 
+/// Numbers that a quotient is made of.
+template <class T>
+inline constexpr bool can_be_divided = std::is_same_v<T, mpq_class> || std::is_same_v<T, Ball>;
+template <bool Fma>
+inline constexpr bool can_be_divided<Twofold<Fma>> = true;
+
 class CoreCorners {
  public:
   /// Of points, segments, triangles, tetrahedra, boxes, rectangles, polyhedra, balls, capsules and lozenges.
   static std::optional<CoreCorners> of(const FigureView& figure);
+  /// Of a line or ray the part up to a multiple of its direction, on both sides or ahead.
+  static CoreCorners straight(const Point3& from, const Vector3& along, double length, bool both_sides) {
+    CoreCorners c;
+    c.take(std::array{from}), c.take_way(along, length), c.both_ = both_sides;
+    return c;
+  }
   /// Of polygons and of hulls of any points as well, and under the body's pose.  Nothing of an empty one.
   static std::optional<CoreCorners> of(const BodyView& body);
 
@@ -71,13 +89,28 @@ class CoreCorners {
   [[nodiscard]] arith::Vec<T> twice_middle() const {
     if (ways_ == 0 || aligned_ || !both_ || time_ != 0) return at<T>(0) + at<T>(size_ - 1);
     const arith::Vec<T> p = arith::vec<T>(points_[0]);
-    const arith::Vec<T> middle = pose_ == nullptr ? p : turned(p) + arith::vec<T>(pose_->translation);
+    const arith::Vec<T> middle = stands_ ? p : image(p);
     return middle + middle;
   }
   /// Which way an edge leads by what is given, without arithmetic: a multiple above zero of an axis under the pose, and
   /// of the axis that is zero where it has no length; nothing where two points differ in several coordinates.
   [[nodiscard]] std::optional<Vector3> axis_of_edge(std::size_t k) const;
-  [[nodiscard]] const Pose* pose() const { return pose_; }
+  [[nodiscard]] const PoseView& pose() const { return pose_; }
+  /// Neither posed, nor moved, nor scaled?
+  [[nodiscard]] bool stands() const { return stands_; }
+  /// Each of the two is multiplied by the weight of the other's pose, where that is not one.
+  friend void bring_to_one_weight(CoreCorners& a, CoreCorners& b);
+  [[nodiscard]] bool has_scale() const { return has_scale_; }
+  template <class T>
+  [[nodiscard]] T scale() const {
+    if constexpr (can_be_divided<T>) {
+      return T(1.0);
+    } else {
+      if (!has_scale_) return T(1.0);
+      if (is_far_) return weighted_pose<T>(pose_).weight * weighted_pose<T>(beside_).weight;
+      return T(weight_) * T(beside_weight_);
+    }
+  }
   /// Of a box as it stands, without a pose.
   [[nodiscard]] std::optional<GivenBox> given_box() const;
 
@@ -95,7 +128,7 @@ class CoreCorners {
   /// From one corner to the other along way k, but for its length.
   template <class T>
   [[nodiscard]] arith::Vec<T> way(std::size_t k) const {
-    return pose_ == nullptr ? way_at_rest<T>(k) : turned(way_at_rest<T>(k));
+    return stands_ ? way_at_rest<T>(k) : turned(way_at_rest<T>(k));
   }
   /// Before its pose.
   [[nodiscard]] bool has_length(std::size_t k) const {
@@ -111,21 +144,61 @@ class CoreCorners {
   template <class T>
   [[nodiscard]] arith::Vec<T> of_body_at(std::size_t i) const {
     if (stands_) return at_rest<T>(i);
-    const arith::Vec<T> p =
-        pose_ == nullptr ? at_rest<T>(i) : turned(at_rest<T>(i)) + arith::vec<T>(pose_->translation);
-    return time_ == 0 ? p : p + arith::vec<T>(by_) * T(time_);
+    const arith::Vec<T> p = image(at_rest<T>(i));
+    return time_ == 0 ? p : p + scaled(arith::vec<T>(by_)) * T(time_);
   }
   template <class T>
   [[nodiscard]] arith::Vec<T> swept_at(std::size_t i) const {
     const std::size_t n = of_body();
     if (i < n) return of_body_at<T>(i);
-    return of_body_at<T>(i - n) + arith::vec<T>(by_) - arith::vec<T>(less_);
+    return of_body_at<T>(i - n) + scaled(arith::vec<T>(by_)) - scaled(arith::vec<T>(less_));
+  }
+  template <class T>
+  [[nodiscard]] arith::Vec<T> scaled(const arith::Vec<T>& v) const {
+    return has_scale_ && !can_be_divided<T> ? v * scale<T>() : v;
+  }
+  /// What is times the pose's own weight as it is, or times that of the other as well.
+  template <class T>
+  [[nodiscard]] arith::Vec<T> weighted(const arith::Vec<T>& v, const T& own, const T& other) const {
+    if constexpr (std::is_same_v<T, mpq_class>) {
+      return {T(v.x / own), T(v.y / own), T(v.z / own)};
+    } else if constexpr (can_be_divided<T>) {
+      return {quotient(v.x, own), quotient(v.y, own), quotient(v.z, own)};
+    } else {
+      return v * other;
+    }
   }
   /// By the matrix of the pose.
   template <class T>
   [[nodiscard]] arith::Vec<T> turned(const arith::Vec<T>& v) const {
-    const auto& c = pose_->columns;
-    return arith::vec<T>(c[0]) * v.x + arith::vec<T>(c[1]) * v.y + arith::vec<T>(c[2]) * v.z;
+    if (is_far_) return far_image(v, false);
+    const auto& c = columns_;
+    const auto r = is_turned_ ? arith::vec<T>(c[0]) * v.x + arith::vec<T>(c[1]) * v.y + arith::vec<T>(c[2]) * v.z : v;
+    return has_scale_ ? weighted(r, T(weight_), T(beside_weight_)) : r;
+  }
+  template <class T>
+  [[nodiscard]] arith::Vec<T> image(const arith::Vec<T>& p) const {
+    if (is_far_) return far_image(p, true);
+    const auto& c = columns_;
+    if (!has_scale_) return is_turned_ ? turned(p) + arith::vec<T>(translation_) : p;
+    if (!is_turned_) return weighted(p, T(1.0), T(beside_weight_));
+    const arith::Vec<T> r = arith::vec<T>(c[0]) * p.x + arith::vec<T>(c[1]) * p.y + arith::vec<T>(c[2]) * p.z +
+                            arith::vec<T>(translation_) * T(weight_);
+    return weighted(r, T(weight_), T(beside_weight_));
+  }
+  /// Where one of the poses has a matrix that is none of doubles.
+  template <class T>
+  [[nodiscard]] arith::Vec<T> far_image(const arith::Vec<T>& p, bool is_point) const {
+    if constexpr (std::is_same_v<T, mpq_class>) {
+      const ExactMap map = exact_map(pose_);
+      const Exact3 r =
+          is_point ? plumb::query::image(map, {p.x, p.y, p.z}) : plumb::query::turned(map, {p.x, p.y, p.z});
+      return {r[0], r[1], r[2]};
+    } else {
+      const WeightedPose<T> by = weighted_pose<T>(pose_);
+      const arith::Vec<T> r = is_point ? by.image(p) : by.turned(p);
+      return can_be_divided<T> ? weighted(r, by.weight, T(1.0)) : weighted(r, T(1.0), weighted_pose<T>(beside_).weight);
+    }
   }
   template <class T>
   [[nodiscard]] arith::Vec<T> way_at_rest(std::size_t k) const {
@@ -152,6 +225,7 @@ class CoreCorners {
     }
     return p;
   }
+  void take_pose(const PoseView& pose);
   template <class Points>
   void take(const Points& points) {
     for (const Point3& p : points) points_[size_++] = p;
@@ -163,13 +237,19 @@ class CoreCorners {
 
   const ConvexPolyhedron3* polyhedron_ = nullptr;
   std::span<const Point3> list_;
-  const Pose* pose_ = nullptr;
+  PoseView pose_{}, beside_{};
+  std::array<Vector3, 3> columns_;
+  Vector3 translation_;
+  double weight_ = 1, beside_weight_ = 1;
+  bool is_turned_ = false;  // the columns are those of a pose
+  bool is_far_ = false;     // instead of them, of either pose
+  bool has_scale_ = false;
   std::array<Point3, 4> points_;
   std::array<Vector3, 3> axes_;
   std::array<double, 3> half_;
   std::size_t size_ = 0, ways_ = 0;
   bool both_ = true, aligned_ = false, is_swept_ = false;
-  bool stands_ = true;  // no pose, and no motion
+  bool stands_ = true;  // no pose, no motion, no scale
   Vector3 by_{}, less_{};
   double time_ = 0;
 };

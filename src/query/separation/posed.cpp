@@ -9,6 +9,7 @@
 #include "query/convex/posed_radius.hpp"
 #include "query/overlap/polygon_relation.hpp"
 #include "query/separation/cores.hpp"
+#include "query/separation/quick.hpp"
 #include "query/separation/told_pair.hpp"
 
 namespace plumb::query {
@@ -36,6 +37,9 @@ struct SeenUnderPose {
 }  // namespace
 
 Closest posed_closest_points(const PosedView& a, const PosedView& b) {
+  if (const auto quick = QuickPair::of(a, b)) {
+    if (const auto c = quick->closest(a.figure, b.figure)) return *c;
+  }
   require_posed(asked_of_posed, a, b);
   SeenUnderPose p(a), q(b);
   p.seen.map = &p.set.map, q.seen.map = &q.set.map;

@@ -87,6 +87,23 @@ std::optional<QuickPair> QuickPair::of(const FigureAt& a, const FigureAt& b) {
   return QuickPair(*p, *q, radius_a, radius_b, *proved);
 }
 
+std::optional<QuickPair> QuickPair::of(const PosedView& a, const PosedView& b) {
+  for (const PosedView* v : {&a, &b}) {
+    const bool may_be_concave = is_one_of(v->figure.kind, {FigureKind::quadrilateral, FigureKind::polygon});
+    if (v->figure.dimension == 2 || may_be_concave || !is_rigid(v->pose)) return {};
+    if (!with_figure(v->figure, [](const auto& s) { return is_sound(s); })) return {};
+  }
+  const double radius_a = radius_of(a.figure), radius_b = radius_of(b.figure);
+  if (!(radius_a >= 0 && radius_b >= 0 && radius_a + radius_b < Ball::infinity)) return {};
+  auto p = CoreCorners::of(BodyView{.figure = a.figure, .pose = a.pose}),
+       q = CoreCorners::of(BodyView{.figure = b.figure, .pose = b.pose});
+  if (!p || !q || !p->is_finite() || !q->is_finite()) return {};
+  bring_to_one_weight(*p, *q);
+  const auto proved = proved_nearest(*p, *q);
+  if (!proved) return {};
+  return QuickPair(*p, *q, radius_a, radius_b, *proved);
+}
+
 std::optional<double> QuickPair::distance() const {
   if (proved_.meets) return 0;
   if (const auto d = distance_over<Pairs>(a_, b_, radius_a_, radius_b_, proved_.corners)) return d;
@@ -97,7 +114,8 @@ mpq_class QuickPair::square() const {
   if (proved_.meets) return 0;
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic, Sought::square>(a_, b_, proved_.corners, ask);
-  return quotient_of(n.square, n.square_whole);
+  const BigDyadic scale = a_.scale<BigDyadic>();
+  return quotient_of(n.square, n.square_whole * (scale * scale));
 }
 
 std::optional<NearestPair> QuickPair::pair() const {
@@ -108,11 +126,12 @@ std::optional<NearestPair> QuickPair::pair() const {
 NearestPair QuickPair::any_pair() const {
   CertainSigns ask;
   const auto n = nearest_of<BigDyadic>(a_, b_, proved_.corners, ask);
+  const BigDyadic scale = a_.scale<BigDyadic>(), whole = n.whole * scale;
   const auto place = [&](const CoreCorners& c, std::size_t which) -> Exact3 {
     const Vec<BigDyadic> sum = weighted_corners(c, proved_.corners, which, n);
-    return {quotient_of(sum.x, n.whole), quotient_of(sum.y, n.whole), quotient_of(sum.z, n.whole)};
+    return {quotient_of(sum.x, whole), quotient_of(sum.y, whole), quotient_of(sum.z, whole)};
   };
-  return {place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole), true};
+  return {place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole * (scale * scale)), true};
 }
 
 std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView& b) const {

@@ -15,6 +15,8 @@ namespace plumb::query {
 class QuickPair {
  public:
   static std::optional<QuickPair> of(const FigureAt& a, const FigureAt& b);
+  /// Under poses that are rigid, or as they stand; of polygons nothing.
+  static std::optional<QuickPair> of(const PosedView& a, const PosedView& b);
   /// Of cores whose corners are proved, and the radii around them.
   QuickPair(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b, const ProvedCorners& proved)
       : a_(a), b_(b), radius_a_(radius_a), radius_b_(radius_b), proved_(proved) {}

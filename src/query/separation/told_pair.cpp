@@ -60,22 +60,28 @@ double rounded_distance(const mpq_class& square, const mpq_class& radii) {
   return rounded_radical(Rounding::nearest, BigDyadic(0.0) - p * d, q, n * d, q * d);
 }
 
-Closest told_pair(const NearestPair& pair, const SeenFigure& a, const SeenFigure& b) {
-  const mpq_class radii = a.radius + b.radius, reach = radii * radii;
-  const bool meet = pair.square <= reach, overlap = pair.square < reach;
-  Closest c;
-  c.distance = rounded_distance(pair.square, radii);
-  c.feature_a = feature_at(a.figure, pair.on_a, overlap && sgn(a.radius) > 0, a.map);
-  c.feature_b = feature_at(b.figure, pair.on_b, overlap && sgn(b.radius) > 0, b.map);
-  if (!meet) {
+Closest told_places(const NearestPair& pair, const mpq_class& radius_a, const mpq_class& radius_b) {
+  constexpr Feature interior{FeatureKind::interior, 0};
+  const mpq_class radii = radius_a + radius_b;
+  Closest c{{}, {}, rounded_distance(pair.square, radii), interior, interior};
+  if (pair.square > radii * radii) {
     const Way way(pair);
-    c.on_a = moved(way, way.from, way.to, a.radius), c.on_b = moved(way, way.to, way.from, b.radius);
+    c.on_a = moved(way, way.from, way.to, radius_a), c.on_b = moved(way, way.to, way.from, radius_b);
   } else if (sgn(radii) == 0) {
     c.on_a = c.on_b = rounded_point(pair.on_a);
   } else {
-    const mpq_class part = a.radius / radii;
+    const mpq_class part = radius_a / radii;
     c.on_a = c.on_b = rounded_point(pair.on_a + part * (pair.on_b - pair.on_a));
   }
+  return c;
+}
+
+Closest told_pair(const NearestPair& pair, const SeenFigure& a, const SeenFigure& b) {
+  const mpq_class radii = a.radius + b.radius;
+  const bool overlap = pair.square < radii * radii;
+  Closest c = told_places(pair, a.radius, b.radius);
+  c.feature_a = feature_at(a.figure, pair.on_a, overlap && sgn(a.radius) > 0, a.map);
+  c.feature_b = feature_at(b.figure, pair.on_b, overlap && sgn(b.radius) > 0, b.map);
   return c;
 }
 

@@ -19,6 +19,8 @@ struct SeenFigure {
 };
 
 Closest told_pair(const NearestPair& pair, const SeenFigure& a, const SeenFigure& b);
+/// Without features: both are the interior.
+Closest told_places(const NearestPair& pair, const mpq_class& radius_a, const mpq_class& radius_b);
 
 /// root(square) - radii, or zero.
 double rounded_distance(const mpq_class& square, const mpq_class& radii);

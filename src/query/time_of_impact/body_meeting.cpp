@@ -31,7 +31,7 @@ struct MotionPair {
   MotionPair(const BodyMotion& of_a, const BodyMotion& of_b)
       : a(moving_body<T>(of_a.shape)),
         b(moving_body<T>(of_b.shape)),
-        velocity(velocity_of<T>(of_a) - velocity_of<T>(of_b)) {}
+        velocity(bring_to_one_weight(a, b, velocity_of<T>(of_a) - velocity_of<T>(of_b))) {}
 
   template <class Judge>
   bool tell(PairIndex pair, Judge& judge) const {
@@ -159,7 +159,7 @@ Outlook outlook(std::string_view function, const BodyMotion& a, const BodyMotion
       !(from <= to))
     return {};
   const MotionPair<Running> quick(a, b);
-  const TimeWindow window = time_window(quick.a, quick.b, velocity);
+  const TimeWindow window = time_window(quick.a, quick.b, quick.velocity);
   if (window.empty()) return {};
   if (!(window.from > 0) && at_start(a.shape, b.shape) == Relation::overlapping) return {true};
   return {false, window.axis, candidates(quick, window)};

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "figure/basic/in_space.hpp"
-#include "query/body/figure_view.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/time_of_impact/moving_body.hpp"
 
 namespace plumb::query {
@@ -37,15 +38,33 @@ Pose lifted_pose(const Pose2& flat) {
   Pose pose{{{{u.x, u.y, 0}, {v.x, v.y, 0}, {0, 0, 1}}}, {flat.translation.x, flat.translation.y, 0}};
   Pose scaled = pose;
   scaled.columns[2].z = std::hypot(u.x, u.y);  // a guess
-  return scale_of(scaled) ? scaled : pose;
+  return scale_of(&scaled) ? scaled : pose;
+}
+RigidPose lifted_pose(const RigidPose2& flat) { return {rotation_of(flat.turn), in_space(flat.translation)}; }
+RigidChain lifted_pose(const RigidChain2& flat) {
+  RigidChain chain;
+  for (const RigidPose2& link : flat.links) chain.links.push_back(lifted_pose(link));
+  return chain;
+}
+
+using AnyPose = std::variant<Pose, RigidPose, RigidChain>;
+AnyPose lifted_pose(const PoseView& flat) {
+  return std::visit(
+      []<class By>(const By& by) -> AnyPose {
+        if constexpr (requires { lifted_pose(*by); }) {
+          return lifted_pose(*by);
+        } else {
+          return identity_pose;
+        }
+      },
+      flat.by);
 }
 
 }  // namespace
 
 LiftedMotion::LiftedMotion(const PosedMotion& flat)
     : kind_(flat.figure.figure.kind),
-      pose_(flat.figure.in_plane == nullptr ? Pose{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0, 0, 0}}
-                                            : lifted_pose(*flat.figure.in_plane)),
+      pose_(lifted_pose(flat.figure.pose)),
       by_(flat.by_in_plane == nullptr ? Vector3{0, 0, 0} : in_space(*flat.by_in_plane)) {
   with_figure(flat.figure.figure, [this]<class Shape>(const Shape& s) {
     if constexpr (MovesInPlane<Shape>) shape_ = lifted_shape(s);
@@ -55,7 +74,7 @@ LiftedMotion::LiftedMotion(const PosedMotion& flat)
 PosedMotion LiftedMotion::motion() const {
   PosedMotion in_space{{}, &by_};
   in_space.figure = std::visit([](const auto& s) { return PosedView{view_of(s)}; }, shape_);
-  in_space.figure.in_space = &pose_;
+  in_space.figure.pose = std::visit([](const auto& by) { return PoseView(&by); }, pose_);
   return in_space;
 }
 

@@ -163,9 +163,13 @@ struct BoxAround {
   FeatureBox operator()(const PosedView* v) const {
     const auto body = moving_body<Running>(v);
     if (body.vertices.empty()) return (*this)(static_cast<const Plane3*>(nullptr));
-    FeatureBox box = box_of(body.vertices[0]);
-    for (const Vec3<Running>& p : body.vertices) box = joined(box, box_of(p));
-    const double reach = body.reach.upper();
+    const auto over_weight = [&](const Running& x) { return body.has_weight ? quotient(x, body.weight) : x; };
+    const auto box_at = [&](const Vec3<Running>& p) {
+      return box_of(Vec3<Running>{over_weight(p.x), over_weight(p.y), over_weight(p.z)});
+    };
+    FeatureBox box = box_at(body.vertices[0]);
+    for (const Vec3<Running>& p : body.vertices) box = joined(box, box_at(p));
+    const double reach = over_weight(body.reach).upper();
     return grown(box, {reach, reach, reach});
   }
   FeatureBox operator()(const Aabb3* b) const { return joined((*this)(&b->min), (*this)(&b->max)); }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/body/figure_view.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/convex/exact_map.hpp"
 
 namespace plumb::query {
@@ -25,22 +26,25 @@ class Maker {
     }
   }
   void operator()(const PosedTriangle3* t) {
-    pose_ = &t->pose;
+    pose_ = weighted_pose<T>(&t->pose);
     (*this)(&t->shape);
   }
   void operator()(const PosedView* v) {
-    pose_ = v->in_space;
+    if (!v->pose.stands()) pose_ = weighted_pose<T>(v->pose);
     with_figure(v->figure, [this](const auto& s) {
       if constexpr (requires { (*this)(&s); }) (*this)(&s);
     });
-    if (pose_ == nullptr) return;
-    if (made.swept) made.reach = made.reach * T(*scale_of(*pose_));
+    if (!pose_) return;
+    if (made.swept && !is_rigid(v->pose)) made.reach = made.reach * T(*scale_of(v->pose));
+    if (pose_->has_weight) made.reach = made.reach * pose_->weight;
+    made.weight = pose_->weight, made.has_weight = pose_->has_weight;
     for (auto& face : made.faces) {
       if (!face.corners.empty()) continue;  // a plane: its normal by the cofactors, of which the determinant is made
-      const auto& [c, t] = *pose_;
-      const Vec3<T> u = vector_of<T>(c[0]), v2 = vector_of<T>(c[1]), w = vector_of<T>(c[2]), n = face.normal;
+      if (pose_->stands) continue;
+      const auto& [u, v2, w] = pose_->columns;
+      const Vec3<T> n = face.normal;
       face.normal = cross(v2, w) * n.x + cross(w, u) * n.y + cross(u, v2) * n.z;
-      face.offset = face.offset * dot(u, cross(v2, w)) + dot(face.normal, vector_of<T>(t));
+      face.offset = face.offset * dot(u, cross(v2, w)) + dot(face.normal, pose_->translation);
     }
   }
   void operator()(const Plane3* p) {
@@ -51,7 +55,7 @@ class Maker {
 
   void corner(const Vec3<T>& v) {
     made.vertex_features.push_back({FeatureKind::vertex, static_cast<std::uint32_t>(made.vertices.size())});
-    made.vertices.push_back(pose_ != nullptr ? image(v) : v);
+    made.vertices.push_back(pose_ ? pose_->image(v) : v);
   }
   void edge(std::uint32_t from, std::uint32_t to, std::uint32_t number) {
     made.edges.push_back({{from, to}, {FeatureKind::edge, number}});
@@ -68,16 +72,13 @@ class Maker {
   }
 
  private:
-  [[nodiscard]] Vec3<T> image(const Vec3<T>& v) const {
-    const auto& [c, t] = *pose_;
-    return vector_of<T>(c[0]) * v.x + vector_of<T>(c[1]) * v.y + vector_of<T>(c[2]) * v.z + vector_of<T>(t);
-  }
-  const Pose* pose_ = nullptr;
+  std::optional<WeightedPose<T>> pose_;
 };
 
 }  // namespace
 
-std::optional<double> scale_of(const Pose& pose) {
+std::optional<double> scale_of(const PoseView& pose) {
+  if (is_rigid(pose)) return 1;
   const auto square = squared_scale(exact_map(pose), 3);
   if (!square) return {};
   const double root = std::sqrt(square->get_d());  // a guess

@@ -49,12 +49,34 @@ struct MovingBody {
   std::vector<Face> faces;
   T reach{0.0};
   bool swept = false;  // reach > 0
+  /// All of the above is that of the figure times this, which is above zero.
+  T weight{1.0};
+  bool has_weight = false;
+
+  /// The same multiplied by the other's weight, and its own times that.
+  void scale(const T& by) {
+    for (Vec3<T>& v : vertices) v = v * by;
+    for (Face& f : faces) f.offset = f.offset * by;
+    reach = reach * by;
+    weight = weight * by;
+    has_weight = true;
+  }
 };
+/// Two bodies of one weight, and a velocity seen beside them.
+template <class T>
+Vec3<T> bring_to_one_weight(MovingBody<T>& a, MovingBody<T>& b, const Vec3<T>& velocity) {
+  if (!a.has_weight && !b.has_weight) return velocity;
+  const T of_a = a.weight;
+  const bool scale_b = a.has_weight;
+  if (b.has_weight) a.scale(b.weight);
+  if (scale_b) b.scale(of_a);
+  return velocity * a.weight;
+}
 
 template <class T>
 MovingBody<T> moving_body(const BodyShape& shape);
-/// What a pose of space multiplies lengths by, where that is one number for all, and a double.
-std::optional<double> scale_of(const Pose& pose);
+/// What a pose multiplies lengths by in space, where that is one number for all, and a double.
+std::optional<double> scale_of(const PoseView& pose);
 extern template MovingBody<Running> moving_body(const BodyShape&);
 extern template MovingBody<Ball> moving_body(const BodyShape&);
 extern template MovingBody<BigDyadic> moving_body(const BodyShape&);

@@ -8,10 +8,10 @@
 
 #include "arith/exact_number.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/chain_edges.hpp"
-#include "query/body/figure_view.hpp"
 #include "query/convex/chains.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/overlap/polygon_relation.hpp"
@@ -77,15 +77,15 @@ class EarliestMeeting {
 
 /// A polygon under its pose, which moves.
 struct MovingPolygon {
-  MovingPolygon(std::string_view function, const PosedMotion& m) : pose(m.figure.in_space), by(m.by) {
+  MovingPolygon(std::string_view function, const PosedMotion& m) : pose(m.figure.pose), by(m.by) {
     static_cast<void>(exact_chains(function, m.figure.figure));  // throws where it is not planar
     chains = chains_of(m.figure.figure);
     with_figure(m.figure.figure, [this]<class Shape>(const Shape& s) {
       if constexpr (is_one_of(figure_kind<Shape>, polygon_kinds)) edges = chain_edges(s);
     });
     add_hull();
-    if (pose == nullptr) return;
-    const ExactMap map = exact_map(*pose);
+    if (pose.stands()) return;
+    const ExactMap map = exact_map(pose);
     for (Exact3& v : chains.vertices) v = image(map, v);
     chains.span = spanning(chains.vertices);
   }
@@ -97,7 +97,7 @@ struct MovingPolygon {
     return cross(chains.vertices[chains.span[1]] - from, chains.vertices[chains.span[2]] - from);
   }
 
-  const Pose* pose;
+  PoseView pose;
   const Vector3* by;
   SpannedChains chains;
   std::vector<ChainEdge> edges;
@@ -107,7 +107,9 @@ struct MovingPolygon {
   void add_hull() {
     for (const ChainEdge& e : edges) {
       const PosedMotion edge = motion_of(e);
-      hull.vertices.push_back(moving_body<Running>(&edge.figure).vertices[0]);
+      const auto of_edge = moving_body<Running>(&edge.figure);
+      hull.vertices.push_back(of_edge.vertices[0]);
+      hull.weight = of_edge.weight, hull.has_weight = of_edge.has_weight;
     }
     if (chains.span.size() < 3) return;
     const auto& v = hull.vertices;
@@ -119,6 +121,14 @@ struct MovingPolygon {
 
 Exact3 exactly(const Vector3& v) { return {v.x, v.y, v.z}; }
 Exact3 exactly(const Vec3<BigDyadic>& v) { return {gmp_number(v.x), gmp_number(v.y), gmp_number(v.z)}; }
+
+mpq_class over_weight(const BigDyadic& x, const MovingBody<BigDyadic>& body) {
+  return body.has_weight ? mpq_class(gmp_number(x) / gmp_number(body.weight)) : gmp_number(x);
+}
+Exact3 exact_vertex(const MovingBody<BigDyadic>& body, std::size_t i) {
+  const Vec3<BigDyadic>& v = body.vertices[i];
+  return {over_weight(v.x, body), over_weight(v.y, body), over_weight(v.z, body)};
+}
 
 /// Where the ball about a vertex first touches the plane, if that is inside.
 void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& feature, const mpq_class& reach,
@@ -151,8 +161,11 @@ void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& fe
 Relation never_inside(const BodyShape&, const BodyShape&) { return Relation::touching; }
 
 /// While what is around the polygon may meet the body.
-TimeWindow window_of(const MovingBody<Running>& body, const Vector3& by, const MovingPolygon& polygon) {
-  return time_window(body, polygon.hull, vector_of<Running>(by) - vector_of<Running>(*polygon.by));
+TimeWindow window_of(MovingBody<Running> body, const Vector3& by, const MovingPolygon& polygon) {
+  MovingBody<Running> hull = polygon.hull;
+  const Vec3<Running> velocity = vector_of<Running>(by) - vector_of<Running>(*polygon.by);
+  const Vec3<Running> seen = bring_to_one_weight(body, hull, velocity);
+  return time_window(body, hull, seen);
 }
 
 template <class Shape>
@@ -163,7 +176,7 @@ concept IsPolygon =
 
 /// At the start; where there is no pose, in doubles as long as they tell.
 Relation start_relation(std::string_view function, const PosedView& a, const PosedView& b) {
-  if (a.in_space != nullptr || b.in_space != nullptr) return relate_posed(function, a, b);
+  if (!a.pose.stands() || !b.pose.stands()) return relate_posed(function, a, b);
   if (!is_one_of(a.figure.kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge}))
     return relate_polygon(function, a.figure, b.figure);
   return with_figure(a.figure, [&]<class Round>(const Round& round) {
@@ -194,7 +207,8 @@ void see_body(EarliestMeeting& earliest, std::string_view function, const PosedM
     const auto exact = moving_body<BigDyadic>(&body.figure);
     const Exact3 by = exactly(*body.by) - exactly(*polygon.by);
     for (std::size_t i = 0; i < exact.vertices.size(); ++i)
-      see_face(earliest, exactly(exact.vertices[i]), exact.vertex_features[i], gmp_number(exact.reach), by, polygon);
+      see_face(earliest, exact_vertex(exact, i), exact.vertex_features[i], over_weight(exact.reach, exact), by,
+               polygon);
   }
 }
 
@@ -211,8 +225,8 @@ std::optional<Exact3> crossing(const ChainEdge& edge, const SpannedChains& of, c
 bool face_holds(const MovingBody<BigDyadic>& body, const MovingBody<BigDyadic>::Face& face, const Exact3& p) {
   const Exact3 normal = exactly(face.normal);
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
-    const Exact3 from = exactly(body.vertices[face.corners[i]]),
-                 to = exactly(body.vertices[face.corners[(i + 1) % face.corners.size()]]);
+    const Exact3 from = exact_vertex(body, face.corners[i]),
+                 to = exact_vertex(body, face.corners[(i + 1) % face.corners.size()]);
     if (sgn(dot(cross(normal, to - from), p - from)) < 0) return false;
   }
   return true;
@@ -226,7 +240,7 @@ void see_pierced(EarliestMeeting& earliest, std::string_view function, const Pos
   for (const auto& face : body.faces) {
     const Exact3 normal = exactly(face.normal);
     for (const ChainEdge& e : polygon.edges) {
-      const auto at = crossing(e, polygon.chains, normal, gmp_number(face.offset));
+      const auto at = crossing(e, polygon.chains, normal, over_weight(face.offset, body));
       if (at && face_holds(body, face, *at)) earliest.see({Root(0), face.feature, e.whole});
     }
   }

@@ -6,6 +6,7 @@
 #include "plumb/query/time_of_impact/posed.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
 #include "query/time_of_impact/body_meeting.hpp"
@@ -21,15 +22,17 @@ Relation posed_figures_at_start(const BodyShape& a, const BodyShape& b) {
 
 /// Leaves the pose what is round round, and a plane a plane?
 void require_even(std::string_view function, const PosedView& v) {
-  if (v.in_space == nullptr) return;
+  if (is_rigid(v.pose)) return;
   const auto refuse = [&](std::string_view why) {
     throw UnevenPose(std::string(function).append(": ").append(spoken(v.figure)).append(": ").append(why));
   };
-  if (v.figure.kind == FigureKind::plane && is_singular(exact_map(*v.in_space)))
+  if (v.figure.kind == FigureKind::plane && is_singular(exact_map(v.pose)))
     refuse("its pose flattens it; give one whose matrix is not singular");
   const bool is_round = is_one_of(v.figure.kind, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
-  if (is_round && !scale_of(*v.in_space))
-    refuse("its pose makes an ellipsoid of it; give one of columns at right angles and of one length that is a double");
+  if (is_round && !scale_of(v.pose))
+    refuse(std::string("its pose makes an ellipsoid of it; ")
+               .append(rigid_instead)
+               .append(", or columns at right angles and of one length that is a double"));
 }
 
 /// In the terms of bodies, looked at.

@@ -16,20 +16,20 @@ void require_faces(std::string_view function, std::string_view name, const ClipV
 }
 
 Sign turn_of(const ClipView& v) {
-  if (v.pose == nullptr) return Sign::positive;
+  const auto* pose = std::get_if<const Pose*>(&v.pose.by);
+  if (pose == nullptr) return Sign::positive;  // a turn, or none
   return proved_sign([&]<class T>() {
-    const auto& c = v.pose->columns;
+    const auto& c = (*pose)->columns;
     return dot(arith::vec<T>(c[0]), cross(arith::vec<T>(c[1]), arith::vec<T>(c[2])));
   });
 }
 
 Rational exact_square(const ClipView& a, const ClipView& b) {
-  if (a.pose == nullptr && b.pose == nullptr)
+  if (a.pose.stands() && b.pose.stands())
     return exact_distance_of(view_of(*a.polyhedron), view_of(*b.polyhedron), Question::squared_distance_exact).square;
-  const auto posed = [](const ClipView& v) {
-    return Posed{*v.polyhedron, v.pose != nullptr ? *v.pose : identity_pose};
-  };
-  return squared_distance_exact(posed(a), posed(b));
+  return posed_exact_distance({view_of(*a.polyhedron), a.pose}, {view_of(*b.polyhedron), b.pose},
+                              Question::squared_distance_exact)
+      .square;
 }
 
 }  // namespace plumb::query::vclipping

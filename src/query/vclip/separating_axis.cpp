@@ -127,12 +127,13 @@ class AxisSearch {
 std::optional<SeparatingAxis> separating_axis_of(const ClipView& a, const ClipView& b) {
   using namespace vclipping;
   CheckedSigns sign(axis_question, a, b);
-  if (a.pose != nullptr || b.pose != nullptr) sign.check();
+  if (!a.pose.stands() || !b.pose.stands()) sign.check();
   require_volume("a", a), require_volume("b", b);
-  const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
+  auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
+  bring_to_one_weight(*core_a, *core_b);
   const Solid solid_a(*a.polyhedron, *core_a, turn_of(a) == Sign::negative),
       solid_b(*b.polyhedron, *core_b, turn_of(b) == Sign::negative);
-  return AxisSearch(solid_a, solid_b, sign).run(a.pose == nullptr && b.pose == nullptr);
+  return AxisSearch(solid_a, solid_b, sign).run(a.pose.stands() && b.pose.stands());
 }
 
 }  // namespace plumb::query

@@ -128,7 +128,8 @@ SeparatingVector separating_vector_of(const ClipView& a, const ClipView& b, cons
   using namespace vclipping;
   require_vertex("a", a, options.vertices[0]), require_vertex("b", b, options.vertices[1]);
   if (options.direction) require_finite_parts("separating_vector", {"options.direction"}, *options.direction);
-  const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
+  auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
+  bring_to_one_weight(*core_a, *core_b);
   return VectorSearch(a, b, *core_a, *core_b, options.vertices).run(options.direction);
 }
 

@@ -60,18 +60,19 @@ struct WeightedPoint {
 
 /// Pairs of doubles answer where they leave one double, integers otherwise.
 template <class Make>
-Point3 rounded_once(const Make& make) {
+Point3 rounded_once(const CoreCorners& core, const Make& make) {
   const WeightedPoint<Ball> near = make.template operator()<Ball>();
   const auto part = [&](const Ball& x) { return quotient(x, near.whole).nearest(); };
   if (const auto x = part(near.at.x), y = part(near.at.y), z = part(near.at.z); x && y && z)
     return told(Point3{*x, *y, *z});
   const WeightedPoint<BigDyadic> p = make.template operator()<BigDyadic>();
-  const auto rounded = [&](const BigDyadic& x) { return rounded_quotient(Rounding::nearest, x, p.whole); };
+  const BigDyadic whole = p.whole * core.scale<BigDyadic>();
+  const auto rounded = [&](const BigDyadic& x) { return rounded_quotient(Rounding::nearest, x, whole); };
   return told(Point3{rounded(p.at.x), rounded(p.at.y), rounded(p.at.z)});
 }
 
 Point3 rounded_vertex(const Solid& s, std::uint32_t corner) {
-  return rounded_once([&]<class T>() { return WeightedPoint<T>{s.place<T>(corner), T(1.0)}; });
+  return rounded_once(s.core(), [&]<class T>() { return WeightedPoint<T>{s.place<T>(corner), T(1.0)}; });
 }
 
 /// Where the edge crosses the plane of the face; of one that runs within it where it comes in above the face.
@@ -83,7 +84,7 @@ Point3 crossing(const Solid& of_edge, std::uint32_t edge, const Solid& of_face, 
         return of_face.height(face, of_edge.place<T>(edge)) - of_face.height(face, of_edge.place<T>(head));
       }) == Sign::zero;
   if (within && !entry) return rounded_vertex(of_edge, edge);
-  return rounded_once([&]<class T>() {
+  return rounded_once(of_edge.core(), [&]<class T>() {
     const auto value = [&](const Vec<T>& y) { return within ? entry->value(of_face, y) : of_face.height(face, y); };
     const Vec<T> from = of_edge.place<T>(edge), to = of_edge.place<T>(head);
     const T p = value(from), q = value(to);
@@ -106,11 +107,10 @@ void require_start(std::string_view name, const ClipView& v, const MeshFeature& 
 /// By the exact search, of any two.
 VClipResult by_search(const ClipView& a, const ClipView& b, VClipResult r) {
   r.by_search = true;
-  if (a.pose == nullptr && b.pose == nullptr) {
+  if (a.pose.stands() && b.pose.stands()) {
     r.closest = closest_points_of(view_of(*a.polyhedron), view_of(*b.polyhedron));
   } else {
-    r.closest =
-        posed_closest_points({view_of(*a.polyhedron), a.pose, nullptr}, {view_of(*b.polyhedron), b.pose, nullptr});
+    r.closest = posed_closest_points({view_of(*a.polyhedron), a.pose}, {view_of(*b.polyhedron), b.pose});
   }
   r.squared_distance = exact_square(a, b);
   r.meet = r.squared_distance->sign() == Sign::zero;
@@ -127,7 +127,8 @@ VClipResult vclip_of(const ClipView& a, const ClipView& b, const VClipOptions& o
   require_start("a", a, given.a), require_start("b", b, given.b);
   CheckedSigns sign("vclip", a, b);
   const Sign turn_a = turn_of(a), turn_b = turn_of(b);
-  const auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
+  auto core_a = CoreCorners::of(vclipping::body_view(a)), core_b = CoreCorners::of(vclipping::body_view(b));
+  bring_to_one_weight(*core_a, *core_b);
   VClipResult r;
   r.at = given;
   if (turn_a == Sign::zero || turn_b == Sign::zero) {

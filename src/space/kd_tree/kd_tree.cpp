@@ -104,7 +104,7 @@ class Builder {
 }  // namespace
 }  // namespace space::kd
 
-template <class Point>
+template <KeptPoint Point>
 KdTree<Point> build_kd_tree(std::span<const Point> points, const KdTreeOptions& options) {
   using namespace space::kd;
   constexpr std::size_t d = KdTree<Point>::dimension;

@@ -81,6 +81,21 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
   return best;
 }
 
+template <class Figure, class Way>
+bool hits_along(const SplitTree<Figure>& tree, const Way& way) {
+  const auto path = checked_path("hits", way);
+  bool found = false;
+  if (tree.nodes.empty()) return found;
+  SplitWalk<Figure>({tree.nodes}, path, KdCells::half_open).each_leaf([&](std::size_t leaf, const Place&) {
+    for (const std::uint32_t i : tree.items_in(leaf)) {
+      found = !is_passed_by(path, tree.figures[i]) && first_hit_parameter(way, tree.figures[i]).has_value();
+      if (found) return Descent::stop;
+    }
+    return Descent::go_on;
+  });
+  return found;
+}
+
 }  // namespace
 }  // namespace space::kd
 
@@ -104,6 +119,14 @@ template <ShotAtFigure Figure>
 std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray) {
   return space::kd::first_hit_along(tree, ray);
 }
+template <ShotAtFigure Figure>
+bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Segment& segment) {
+  return space::kd::hits_along(tree, segment);
+}
+template <ShotAtFigure Figure>
+bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray) {
+  return space::kd::hits_along(tree, ray);
+}
 
 #define PLUMB_INSTANTIATE(F)                                                                                  \
   template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Segment&, KdCells, \
@@ -114,7 +137,9 @@ PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE
 #define PLUMB_INSTANTIATE(F)                                                                         \
   template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const SplitTree<F>::Segment&); \
-  template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const SplitTree<F>::Ray&);
+  template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const SplitTree<F>::Ray&);     \
+  template bool hits(const SplitTree<F>&, const SplitTree<F>::Segment&);                             \
+  template bool hits(const SplitTree<F>&, const SplitTree<F>::Ray&);
 PLUMB_INSTANTIATE(Aabb2)
 PLUMB_INSTANTIATE(Segment2) PLUMB_INSTANTIATE(Triangle2) PLUMB_INSTANTIATE(Aabb3) PLUMB_INSTANTIATE(Triangle3)
 #undef PLUMB_INSTANTIATE

@@ -41,7 +41,7 @@ ConvexReport convex_report(std::vector<AskedMesh> meshes) {
     report.proof = relate_with_proof(a, b);
     if (const ProofVerdict verdict = verify(report.proof, a, b); !verdict)
       throw Error("convex: the proof does not hold, which is a fault of this program: " + verdict.flaw);
-    report.nearest = gjk(a, b, {.history = &report.steps});
+    report.nearest = gjk(a, b, {.history = &report.steps, .pair = WhichPair::first});
     if (report.proof.claim == Claim::disjoint) return;
     report.penetration = penetration(a, b);
     report.is_parted = report.penetration->depth == 0 && exact_penetration(a, b)->core_square.sign() == Sign::zero;

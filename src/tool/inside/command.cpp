@@ -17,7 +17,7 @@
 namespace plumb::tool {
 namespace {
 
-std::string_view word_of(Location location) {
+std::string_view location_word(Location location) {
   return location == Location::inside ? "inside" : location == Location::boundary ? "boundary" : "outside";
 }
 
@@ -61,7 +61,7 @@ std::string inside_text(const InsideReport& report, const Style& style) {
       mesh_line(report.mesh, style) + fmt::format("; {}\n", plural(report.points.size(), "point", "points"));
   text += style.dim(fmt::format("{:<{}}  {:<8} {:>7}\n", "point", widest, "is", "winding"));
   for (std::size_t i = 0; i < report.points.size(); ++i) {
-    text += fmt::format("{:<{}}  {:<8} {:>7}\n", report.points[i].name, widest, word_of(report.locations[i]),
+    text += fmt::format("{:<{}}  {:<8} {:>7}\n", report.points[i].name, widest, location_word(report.locations[i]),
                         report.windings[i] ? std::to_string(*report.windings[i]) : "-");
   }
   text += inexact_remark(inexact, report.points.size(), "points");
@@ -76,7 +76,7 @@ nlohmann::json inside_json(const InsideReport& report) {
     points.push_back({{"name", name},
                       {"point", {p.x, p.y, p.z}},
                       {"exact", exact},
-                      {"location", word_of(report.locations[i])},
+                      {"location", location_word(report.locations[i])},
                       {"winding_number", report.windings[i] ? json(*report.windings[i]) : json()}});
   }
   json said = report_on("plumb inside", {&report.mesh, 1});

@@ -5,13 +5,14 @@
 namespace plumb::tool {
 namespace {
 
-constexpr std::array<std::string_view, 2> plane_names{"x", "y"};
-constexpr std::array<std::string_view, 3> space_names{"x", "y", "z"};
+constexpr std::array<std::string_view, 2> plane_columns{"x", "y"};
+constexpr std::array<std::string_view, 3> space_columns{"x", "y", "z"};
 
 }  // namespace
 
 PointInput read_point_file(const std::string& file, const ReadOptions& reading, const OutputFiles& outputs) {
-  TableOrMesh read = read_table_or_mesh(file, {"a point", "points", plane_names, space_names, true}, reading, outputs);
+  TableOrMesh read =
+      read_table_or_mesh(file, {"a point", "points", plane_columns, space_columns, true}, reading, outputs);
   PointInput input;
   input.name = name_of_input(file);
   if (read.mesh) {
@@ -20,7 +21,7 @@ PointInput read_point_file(const std::string& file, const ReadOptions& reading, 
     return input;
   }
   const NumberTable& table = read.table;
-  input.is_planar = table.columns == plane_names.size();
+  input.is_planar = table.columns == plane_columns.size();
   input.inexact = table.inexact;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const std::span<const double> x = table[i];

@@ -11,8 +11,8 @@
 namespace plumb::tool {
 namespace {
 
-constexpr std::array<std::string_view, 4> plane_names{"min x", "min y", "max x", "max y"};
-constexpr std::array<std::string_view, 6> space_names{"min x", "min y", "min z", "max x", "max y", "max z"};
+constexpr std::array<std::string_view, 4> plane_bounds{"min x", "min y", "max x", "max y"};
+constexpr std::array<std::string_view, 6> space_bounds{"min x", "min y", "min z", "max x", "max y", "max z"};
 
 void require_upright(const NumberTable& table, std::size_t row) {
   const std::span<const double> x = table[row];
@@ -33,7 +33,7 @@ Aabb3 box_of(const Point3& a, const Point3& b, const Point3& c) {
 }  // namespace
 
 BoxInput read_boxes(const std::string& file, const ReadOptions& reading, const OutputFiles& outputs) {
-  TableOrMesh read = read_table_or_mesh(file, {"a box", "boxes", plane_names, space_names}, reading, outputs);
+  TableOrMesh read = read_table_or_mesh(file, {"a box", "boxes", plane_bounds, space_bounds}, reading, outputs);
   BoxInput input;
   input.name = name_of_input(file);
   if (read.mesh) {
@@ -44,7 +44,7 @@ BoxInput read_boxes(const std::string& file, const ReadOptions& reading, const O
     return input;
   }
   const NumberTable& table = read.table;
-  input.is_planar = table.columns == plane_names.size();
+  input.is_planar = table.columns == plane_bounds.size();
   input.inexact = table.inexact;
   for (std::size_t i = 0; i < table.size(); ++i) {
     require_upright(table, i);

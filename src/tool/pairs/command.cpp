@@ -70,8 +70,8 @@ void search(const PairsReport& report, const BroadPhaseOptions& asked, Take& tak
 void require_no_more(const PairsOptions& options, const PairsReport& report, Progress& bar) {
   bar.note("counting the pairs");
   std::uint64_t pairs = 0;
-  auto count = [&](std::span<const BoxPair> block) {
-    pairs += block.size();
+  auto count = [&](std::span<const BoxPair> found) {
+    pairs += found.size();
     if (pairs > options.most) refuse_more(options, pairs, report.pairs.has_value());
   };
   const BroadPhaseOptions asked{.touching = report.touching};

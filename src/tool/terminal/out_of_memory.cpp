@@ -15,12 +15,13 @@ namespace plumb::tool {
 namespace {
 
 std::array<char, 1024> line;  // written when there is memory
-std::size_t length = 0;
+std::size_t line_length = 0;
 std::terminate_handler terminate_before = nullptr;
 
 void add(std::string_view text) {
   for (const char c : text) {
-    if (length + 1 < line.size()) line[length++] = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+    if (line_length + 1 < line.size())
+      line[line_length++] = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
   }
 }
 
@@ -67,10 +68,10 @@ void reserve_stack() {
 }  // namespace
 
 void end_without_memory(int argc, char** argv) {
-  length = 0;
+  line_length = 0;
   add("plumb: out of memory: plumb");
   for (int k = 1; k < argc; ++k) add(" "), add(argv[k]);
-  line[length] = '\n';
+  line[line_length] = '\n';
   reserve_stack();
   std::set_new_handler(end_now);
   terminate_before = std::set_terminate(terminate);
@@ -79,7 +80,7 @@ void end_without_memory(int argc, char** argv) {
 
 void say_out_of_memory() {
   std::fflush(stdout);  // answers given before the fault come first
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), length + 1);
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line_length + 1);
 }
 
 void obey_memory_no_more() {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "docs/bugs_of_others/case.hpp"
-#include "plumb/figure/basic/quaternion.hpp"
+#include "plumb/figure/basic/rigid_poses.hpp"
 #include "plumb/query/certificate/verify.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
@@ -75,7 +75,7 @@ constexpr std::array cases{
     Case{
         "flexible-collision-library/fcl#293",
         [] {
-          Pose pose = *rounded_turn({0.672811, 0.340674, 0.155066, 0.638138});
+          Pose pose = rounded_pose(RigidPose{{0.672811, 0.340674, 0.155066, 0.638138}});
           pose.translation = {0.192074, -0.27787, 0.273546};
           const Posed<Aabb3> small{{{-0.212, -0.075, -0.0843}, {0.212, 0.075, 0.0843}}, pose};
           const Posed<Aabb3> plate{{{-1.375, -3, -0.025}, {1.375, 3, 0.025}}, {identity_pose.columns, {1.625, 0, 0.5}}};

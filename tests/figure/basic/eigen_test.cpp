@@ -21,6 +21,9 @@ TEST(EigenTest, GoesThereAndBack) {
   EXPECT_EQ(point3(Eigen::Vector3d(1, 2, 3) * 2), (Point3{2, 4, 6}));                // an expression
   const Pose turn{{Vector3{0, 1, 0}, Vector3{-1, 0, 0}, Vector3{0, 0, 1}}, {7, 8, 9}};
   EXPECT_EQ(pose(to_eigen(turn)), turn);
+  const Rotation q{0.5, -1, 0x1p-1074, 3};  // not of length one, and left so
+  EXPECT_EQ(rotation(to_eigen(q)), q);
+  EXPECT_EQ(rotation(Eigen::Quaternionf(0.5f, 1, 2, 3)), (Rotation{0.5, 1, 2, 3}));
   EXPECT_EQ(pose(Eigen::Isometry3f::Identity()).columns[1], (Vector3{0, 1, 0}));
   EXPECT_EQ(point3(to_eigen(turn) * Eigen::Vector3d(1, 0, 0)), (Point3{7, 9, 9}));
 }

@@ -224,7 +224,7 @@ TEST(Sphere, KeepsItsRadiusUnderRigidMotion) {
   Entropy entropy(76);
   for (int i = 0; i < 200; ++i) {  // rotations in doubles are nearly orthonormal: so is the stretch
     const double a = unit_coordinate(entropy) * 6, c = std::cos(a), s = std::sin(a);
-    const double stretch = largest_stretch({{Vector3{c, s, 0}, {-s, c, 0}, {0, 0, 1}}, {}});
+    const double stretch = largest_stretch(Pose{{Vector3{c, s, 0}, {-s, c, 0}, {0, 0, 1}}, {}});
     EXPECT_NEAR(stretch, 1, 0x1p-50);
     EXPECT_GE(stretch, 1);
   }

@@ -133,8 +133,9 @@ TEST(Requires, WhatIsNoFigureIsAskedNothing) {
 
 /// What convex bodies are asked has no table of letters: its concept is the table.
 template <class A, class B>
-constexpr bool has_manifold = requires(const A& a, const B& b) {
-  contact_manifold(a, b);
+constexpr bool has_contact = requires(const A& a, const B& b) {
+  contact(a, b);
+  exact_contact(a, b);
 };
 template <class A, class B>
 constexpr bool has_penetration = requires(const A& a, const B& b) {
@@ -150,7 +151,7 @@ constexpr bool has_gjk = requires(const A& a, const B& b) {
 TEST(Requires, ConvexBodiesAreAskedAsTheirConceptsSay) {
   const auto row = []<class A, class... Bs>(const A*, Types<Bs...>) {
     return ((has_gjk<A, Bs> == (ConvexBody3<A> && ConvexBody3<Bs>)) && ...) &&
-           ((has_manifold<A, Bs> == (Polytope3<A> && Polytope3<Bs>)) && ...) &&
+           ((has_contact<A, Bs> == (ConvexBody3<A> && ConvexBody3<Bs>)) && ...) &&
            ((has_penetration<A, Bs> ==
              ((ConvexBody3<A> && ConvexBody3<Bs>) ||
               (SupportedFigure3<A> && SupportedFigure3<Bs> && (QuadricBody3<A> || QuadricBody3<Bs>)))) &&
@@ -163,26 +164,25 @@ TEST(Requires, ConvexBodiesAreAskedAsTheirConceptsSay) {
   };
   EXPECT_EQ(rows(pair_cases::Space{}), std::vector<std::string>());
   EXPECT_EQ(rows(pair_cases::Plane{}), std::vector<std::string>());
-  EXPECT_TRUE((has_manifold<VertexHull3, VertexHull3>)&&(has_manifold<Posed<VertexHull3>, Aabb3>)&&(
+  EXPECT_TRUE((has_contact<VertexHull3, VertexHull3>)&&(has_contact<Posed<VertexHull3>, Aabb3>)&&(
       has_penetration<VertexHull3, VertexHull3>)&&(has_gjk<VertexHull3, Sphere3>));
-  EXPECT_FALSE((has_manifold<Sphere3, VertexHull3>) || (has_manifold<Foreign, Foreign>) || (has_gjk<int, Sphere3>));
+  EXPECT_FALSE((has_contact<Foreign, VertexHull3>) || (has_contact<Foreign, Foreign>) || (has_gjk<int, Sphere3>));
 }
 
 /// Two cubes of corners that lie on one another: what they have in common is a face.
-TEST(Requires, HullsOfCornersHaveAManifold) {
+TEST(Requires, HullsOfCornersHaveAContact) {
   const auto cube = [](double z) {
     std::vector<Point3> corners;
     for (int i = 0; i < 8; ++i) corners.push_back({double(i & 1), double((i >> 1) & 1), z + double((i >> 2) & 1)});
     return corners;
   };
   const std::vector<Point3> low = cube(0), high = cube(1), far = cube(3);
-  const ContactManifold touching = contact_manifold(VertexHull3{low}, VertexHull3{high});
-  EXPECT_TRUE(touching.meets && touching.distance == 0);
-  EXPECT_EQ(touching.on_a.kind, IntersectionKind::polygon);
-  EXPECT_EQ(touching.on_a.vertices.size(), 4U);
-  EXPECT_TRUE(touching.on_a == contact_manifold(Aabb3{{0, 0, 0}, {1, 1, 1}}, Aabb3{{0, 0, 1}, {1, 1, 2}}).on_a);
-  const ContactManifold apart = contact_manifold(VertexHull3{low}, VertexHull3{far});
-  EXPECT_TRUE(!apart.meets && apart.distance == 2);
+  const auto touching = contact(VertexHull3{low}, VertexHull3{high});
+  ASSERT_TRUE(touching);
+  EXPECT_TRUE(touching->relation == Relation::touching && touching->distance == 0);
+  EXPECT_EQ(touching->corners.size(), 4U);
+  EXPECT_FALSE(contact(VertexHull3{low}, VertexHull3{far}));
+  EXPECT_EQ(contact(VertexHull3{low}, VertexHull3{far}, {.margin = 2})->distance, 2);
 }
 
 }  // namespace

@@ -58,13 +58,16 @@ void expect_read_back(const A& a, const B& b, Lines& lines) {
   lines.add(text), lines.add(of_distance), lines.add(certificate_text(intersects_with_proof(a, b), a, b));
 }
 
-/// Every kind of body against this one, as it stands and under a pose that keeps balls round.
+/// Every kind of body against this one, as it stands and under poses that keep balls round.
 template <class B>
 void against_every_kind(const B& b, Lines& lines) {
   const Pose turned{{{{0, 3, 4}, {5, 0, 0}, {0, 4, -3}}}, {0.1, -2, 7}};
+  const RigidPose rigid{{0x1.8p-1, 0x1p-3, -0x1.4p-2, 0x1p-25}, {0.1, -2, 7}};
+  const RigidChain chain{{rigid, {{0.1, 0.2, 0.3, 0.4}, {1, 2, 3}}}};
   const auto ask = [&](const auto& a) {
     expect_read_back(a, b, lines);
     expect_read_back(Posed{a, turned}, b, lines);
+    expect_read_back(Posed{a, rigid}, Posed{b, chain}, lines);
     expect_read_back(b, a, lines);
   };
   const std::vector<Point3> hull{{0.1, 0, 0}, {1, 0.3, 0}, {0, 1, 0}, {0, 0, 1}, {0.2, 0.2, 0.2}, {1, 0.3, 0}};

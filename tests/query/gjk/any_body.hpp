@@ -70,7 +70,7 @@ inline FlatSet core_of(const query::Body& body) {
 }
 
 inline std::string name_of(const BodyView& v) {
-  return std::string(query::spoken(v)) + (v.pose == nullptr ? "" : " posed");
+  return std::string(query::spoken(v)) + (v.pose.stands() ? "" : " posed");
 }
 
 }  // namespace plumb::drawn_body

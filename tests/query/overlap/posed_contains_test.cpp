@@ -15,7 +15,7 @@ struct HeldSeen {
 };
 
 query::PosedView posed_by(const query::FigureView& v, const Pose& in_space, const Pose2& flat) {
-  return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
+  return v.dimension == 3 ? query::PosedView{v, &in_space} : query::PosedView{v, &flat};
 }
 
 /// Often within the other: grown a little.
@@ -78,7 +78,7 @@ TEST(PosedContains, TetrahedraByTheirCorners) {
       bool corners = true;
       for (const Point3& p : {t.a, t.b, t.c, t.d}) corners = corners && contains(Posed{shape, pose}, Posed{p, other});
       ++all, held += corners;
-      const query::PosedView outer{query::view_of(shape), &pose, nullptr}, inner{query::view_of(t), &other, nullptr};
+      const query::PosedView outer{query::view_of(shape), &pose}, inner{query::view_of(t), &other};
       EXPECT_EQ(query::posed_contains(outer, inner), corners) << m.about(t);
     };
     expect(Aabb3{{-2, -2, -2}, {2, 2, 1}});
@@ -95,8 +95,8 @@ TEST(PosedContains, EllipsoidsInBoxes) {
   const Posed ellipsoid{Sphere3{{0, 0, 0}, 1}, pose};
   const auto held = [&](const Aabb3& box) {
     const Pose stays = identity_pose;
-    return query::posed_contains({query::view_of(box), &stays, nullptr},
-                                 {query::view_of(ellipsoid.shape), &ellipsoid.pose, nullptr});
+    return query::posed_contains({query::view_of(box), &stays},
+                                 {query::view_of(ellipsoid.shape), &ellipsoid.pose});
   };
   EXPECT_TRUE(held({{-4, -1, -2}, {6, 1, 2}}));
   EXPECT_FALSE(held({{-4, -1, -2}, {0x1.7ffffffffffffp+2, 1, 2}}));
@@ -106,9 +106,7 @@ TEST(PosedContains, EllipsoidsInBoxes) {
 /// Nothing where the outer one or the pair is refused.
 std::optional<bool> told(const query::PosedView& outer, const query::PosedView& inner) {
   try {
-    if (outer.in_space == nullptr && outer.in_plane == nullptr && inner.in_space == nullptr &&
-        inner.in_plane == nullptr)
-      return query::holds(outer.figure, inner.figure);
+    if (outer.pose.stands() && inner.pose.stands()) return query::holds(outer.figure, inner.figure);
     return query::posed_contains(outer, inner);
   } catch (const InvalidShape&) {
     return {};
@@ -128,7 +126,7 @@ std::optional<bool> told_of_corners(const query::PosedView& outer, const query::
     if (corner.x != p[0] || corner.y != p[1] || corner.z != p[2]) return {};
     const Point2 flat{corner.x, corner.y};
     const query::FigureView view = inner.figure.dimension == 2 ? query::view_of(flat) : query::view_of(corner);
-    all = all && query::relate_posed("contains", outer, {view, inner.in_space, inner.in_plane}) != Relation::disjoint;
+    all = all && query::relate_posed("contains", outer, {view, inner.pose}) != Relation::disjoint;
   }
   return all;
 }

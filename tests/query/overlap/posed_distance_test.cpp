@@ -15,7 +15,7 @@ struct DistanceSeen {
 };
 
 query::PosedView posed_by(const query::FigureView& v, const Pose& in_space, const Pose2& flat) {
-  return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
+  return v.dimension == 3 ? query::PosedView{v, &in_space} : query::PosedView{v, &flat};
 }
 double asked(const query::PosedView& a, const query::PosedView& b) {
   return query::posed_distance(a, b, query::Question::distance);

@@ -18,7 +18,7 @@ struct PosedSeen {
 };
 
 PosedView posed_by(const query::FigureView& v, const Pose& in_space, const Pose2& in_plane) {
-  return v.dimension == 3 ? PosedView{v, &in_space, nullptr} : PosedView{v, nullptr, &in_plane};
+  return v.dimension == 3 ? PosedView{v, &in_space} : PosedView{v, &in_plane};
 }
 
 constexpr Pose2 identity_pose2{{{{1, 0}, {0, 1}}}, {0, 0}};

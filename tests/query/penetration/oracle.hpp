@@ -50,7 +50,7 @@ Round round_of(const Shape& s) {
 /// Of poses that are permutations times a power of two, where the body is round.
 template <class Shape>
 Round round_of(const Posed<Shape>& s) {
-  const query::ExactMap map = query::exact_map(s.pose);
+  const query::ExactMap map = query::exact_map(&s.pose);
   Round r = round_of(s.shape);
   for (Exact3& p : r.corners) p = query::image(map, p);
   if (r.radius != 0) r.radius *= std::sqrt(query::squared_scale(map, 3)->get_d());

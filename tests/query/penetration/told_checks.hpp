@@ -129,7 +129,7 @@ inline std::string fault_of_feature(const query::BodyView& body, const Round& r,
   Exact3 middle{0, 0, 0};
   for (const Exact3& p : level) middle = middle + mpq_class(1, static_cast<unsigned long>(level.size())) * p;
   std::optional<query::ExactMap> map;
-  if (body.pose != nullptr) map = query::exact_map(*body.pose);
+  if (!body.pose.stands()) map = query::exact_map(body.pose);
   const Feature at = query::feature_at(body.figure, middle, false, map ? &*map : nullptr);
   if (!is_round && static_cast<int>(at.kind) != is) return "";  // several features in one line or plane
   ++checked;

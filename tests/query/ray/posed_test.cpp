@@ -14,7 +14,7 @@ struct ShotSeen {
 using Parameter = std::optional<RayParameter>;
 
 query::PosedView posed_by(const query::FigureView& v, const Pose& in_space, const Pose2& flat) {
-  return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
+  return v.dimension == 3 ? query::PosedView{v, &in_space} : query::PosedView{v, &flat};
 }
 Parameter asked(const query::PosedView& a, const query::PosedView& b) {
   return query::posed_first_hit_parameter("first_hit_parameter", a, b);

@@ -23,7 +23,7 @@ Answer ask(const query::PosedView& a, const query::PosedView& b) {
   }
 }
 query::PosedView by(const query::FigureView& v, const Pose& in_space, const Pose2& flat) {
-  return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
+  return v.dimension == 3 ? query::PosedView{v, &in_space} : query::PosedView{v, &flat};
 }
 
 /// The same kind and the same number of corners under a common pose, which maps corners to corners.

@@ -18,7 +18,7 @@ struct PosedNearSeen {
 };
 
 query::PosedView under(const query::FigureView& v, const Pose& in_space, const Pose2& flat) {
-  return v.dimension == 3 ? query::PosedView{v, &in_space, nullptr} : query::PosedView{v, nullptr, &flat};
+  return v.dimension == 3 ? query::PosedView{v, &in_space} : query::PosedView{v, &flat};
 }
 
 constexpr bool ends_everywhere(FigureKind k) {
@@ -97,7 +97,8 @@ void expect_features_move(std::uint64_t start) {
     const Point3 p = m.probe3();
     const auto near = query::nearest_of_cores({query::view_of(p)}, {view}, query::WhichPair::first);
     if (!near) return;
-    const query::ExactMap map = query::exact_map(regular_pose(m));
+    const Pose pose = regular_pose(m);
+    const query::ExactMap map = query::exact_map(&pose);
     EXPECT_EQ(query::feature_at(view, image(map, near->on_b), false, &map), query::feature_at(view, near->on_b, false))
         << m.about(s, p);
     // What the singular pose that keeps all of it does changes nothing, either: by images, not by the inverse.

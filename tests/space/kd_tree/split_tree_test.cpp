@@ -147,6 +147,7 @@ void expect_first_hit(const SplitTree<Figure>& tree, const Way& way, Counts& cou
     }
     const auto found = first_hit(tree, way);
     ASSERT_EQ(found.has_value(), least.has_value());
+    ASSERT_EQ(hits(tree, way), found.has_value());
     if (!found) return;
     ASSERT_EQ(found->index, which);
     ASSERT_EQ(found->hit, *first_hit(way, tree.figures[which]));

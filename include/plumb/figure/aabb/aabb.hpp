@@ -14,12 +14,12 @@
 #include <span>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/arith/pose.hpp"
 #include "plumb/arith/rounding.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/convex_polyhedron.hpp"
 #include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/polygon.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/figure/basic/simplex.hpp"
 
@@ -38,7 +38,7 @@ Aabb3 fit_aabb(std::span<const Point3> points);
 
 /// The box of the points under the pose: the points are kept where they are, and looked at again each time (RTCD
 /// 4.2.4).  Six comparisons a point.
-Aabb3 fit_aabb(std::span<const Point3> points, const Pose& pose);
+Aabb3 fit_aabb(std::span<const Point3> points, PoseView pose);
 
 Aabb2 fit_aabb(const Segment2& shape);
 Aabb3 fit_aabb(const Segment3& shape);
@@ -84,8 +84,8 @@ Aabb2 merge(const Aabb2& a, const Aabb2& b);
 Aabb3 merge(const Aabb3& a, const Aabb3& b);
 
 /// The box of the image.
-Aabb2 transform(const Aabb2& box, const Pose2& pose);
-Aabb3 transform(const Aabb3& box, const Pose& pose);
+Aabb2 transform(const Aabb2& box, PoseView2 pose);
+Aabb3 transform(const Aabb3& box, PoseView pose);
 
 /// The box with every face moved outward by the margin, which may be negative: then a box that is too small for it
 /// becomes empty.

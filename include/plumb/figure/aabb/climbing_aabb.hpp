@@ -12,9 +12,9 @@
 #include <array>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/arith/pose.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/figure/basic/convex_polyhedron.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 
 namespace plumb {
 
@@ -24,7 +24,7 @@ class ClimbingAabb {
   explicit ClimbingAabb(const ConvexPolyhedron3& polyhedron);
 
   /// The box under the pose; keeps the vertices that it found.
-  Aabb3 operator()(const Pose& pose);
+  Aabb3 operator()(PoseView pose);
 
   /// Extremal at the last pose: least x, y, z, then greatest x, y, z.
   [[nodiscard]] const std::array<std::uint32_t, 6>& vertices() const { return extremal_; }

@@ -61,8 +61,8 @@ locate(PLUMB_ANYTHING) PLUMB_DELETED;
 // What is known of one figure?
 template <class Answer = Aabb3>
 PLUMB_NO_ANSWER(Answer,
-                "plumb: fit_aabb takes a bounded figure, or a span of points and, where they move, a Pose (include "
-                "<plumb/figure.hpp>)")
+                "plumb: fit_aabb takes a bounded figure, or a span of points and, where they move, a Pose or a "
+                "RigidPose (include <plumb/figure.hpp>)")
 fit_aabb(PLUMB_ANYTHING) PLUMB_DELETED;
 
 template <class Answer = Support3>

@@ -18,6 +18,7 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/pose.hpp"
+#include "plumb/arith/rigid_pose.hpp"
 
 namespace plumb {
 
@@ -35,6 +36,7 @@ enum class Role : unsigned char {
   corner,    // a place that bounds each coordinate by itself: min and max of an axis-aligned box
   figure,    // another figure, or a list of them
   surface,   // a mesh, which has faces
+  turn,      // a quaternion, which is not zero
   slabs      // the figure itself: a direction, min and max for each of them
 };
 
@@ -86,6 +88,10 @@ template <class Member>
 constexpr auto surface(std::string_view name, const Member& is) {
   return Part<Role::surface, Member>{name, is};
 }
+template <class Member>
+constexpr auto turn(std::string_view name, const Member& is) {
+  return Part<Role::turn, Member>{name, is};
+}
 
 }  // namespace figure::part
 
@@ -108,6 +114,30 @@ constexpr auto body(const Pose2& s, Take take) {
 template <class Take>
 constexpr auto body(const Pose& s, Take take) {
   return take("pose", part::way("columns", s.columns), part::way("translation", s.translation));
+}
+template <class Take>
+constexpr auto body(const Rotation2& s, Take take) {
+  return take("turn", part::turn("", s));
+}
+template <class Take>
+constexpr auto body(const Rotation& s, Take take) {
+  return take("turn", part::turn("", s));
+}
+template <class Take>
+constexpr auto body(const RigidPose2& s, Take take) {
+  return take("pose", part::turn("turn", s.turn), part::way("translation", s.translation));
+}
+template <class Take>
+constexpr auto body(const RigidPose& s, Take take) {
+  return take("pose", part::turn("turn", s.turn), part::way("translation", s.translation));
+}
+template <class Take>
+constexpr auto body(const RigidChain2& s, Take take) {
+  return take("pose", part::figure("links", s.links));
+}
+template <class Take>
+constexpr auto body(const RigidChain& s, Take take) {
+  return take("pose", part::figure("links", s.links));
 }
 
 namespace figure {

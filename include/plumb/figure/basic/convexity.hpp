@@ -11,7 +11,7 @@
 // one to one): so an extruded pentagram is refused, capped in whatever way.
 // Fewer than three vertices, and indices out of range, throw InvalidShape; NaN and infinity NonFinite.
 // Source: RTCD 3.7.1, 3.8.1; Mehlhorn et al., Checking geometric programs, 1999.
-// Cost: linear in the corners.
+// Cost: linear in the corners.  Bounded by n signs, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "plumb/arith/pose.hpp"
+#include "plumb/arith/rigid_pose.hpp"
 
 namespace plumb {
 
@@ -30,6 +31,14 @@ inline Eigen::Affine3d to_eigen(const Pose& pose) {
   for (int k = 0; k < 3; ++k) map.linear().col(k) = to_eigen(pose.columns[static_cast<std::size_t>(k)]);
   map.translation() = to_eigen(pose.translation);
   return map;
+}
+
+/// The quaternion as it is.
+inline Eigen::Quaterniond to_eigen(const Rotation& turn) { return {turn.w, turn.x, turn.y, turn.z}; }
+template <class Derived>
+Rotation rotation(const Eigen::QuaternionBase<Derived>& q) {
+  return {static_cast<double>(q.w()), static_cast<double>(q.x()), static_cast<double>(q.y()),
+          static_cast<double>(q.z())};
 }
 
 namespace eigen {

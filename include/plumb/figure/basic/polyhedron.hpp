@@ -5,7 +5,8 @@
 // convex_polyhedron throws InvalidShape where the mesh is not convex, naming the face, the ridge or the vertex;
 // check_polyhedron the same of a struct that was filled in by hand, and where its lists are not those of its mesh.
 // Source: RTCD 3.8, 3.8.1.
-// Cost: O(n log n), by sorting edges; locate is linear in the faces.
+// Cost: O(n log n), by sorting edges; locate is linear in the faces.  Bounded by n log n operations for the making and
+// the check, n signs for locate, on integers as long as the exponents' span.
 #pragma once
 
 #include <string_view>

@@ -10,29 +10,29 @@
 // (1): composed with the pose it is the identity but for roundings.  (3) rounded_relative(a, b) is a's inverse after b
 // from one rounding of the exact numbers; of a and a it is the identity.  (4) The image of a vector is not translated.
 // (5) keeps_lengths says of the numbers as they are that no distance changes under them: a turn by a quarter does, one by
-// thirty degrees, which doubles do not hold, does not.
+// thirty degrees, which doubles do not hold, does not.  A RigidPose always does (figure/basic/rigid_poses.hpp).
 // NaN and infinity throw NonFinite, a number beyond the doubles BeyondDoubles; both by name.
 // Source: RTCD 3.1.1, 3.1.5, 3.2.
-// Cost: some 20 ns a number of an image or a composition, some 100 ns of an inverse.
+// Cost: some 20 ns a number of a composition, some 100 ns of an image or an inverse.
 #pragma once
 
 #include <optional>
 
 #include "plumb/arith/pose.hpp"
 #include "plumb/arith/sign.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 
 namespace plumb {
 
-/// matrix * p + translation.
-Point2 rounded_image(const Pose2& pose, const Point2& p);
-Point3 rounded_image(const Pose& pose, const Point3& p);
-/// matrix * v.
-Vector2 rounded_image(const Pose2& pose, const Vector2& v);
-Vector3 rounded_image(const Pose& pose, const Vector3& v);
+/// The pose is a matrix, a rigid pose or a chain.
+Point2 rounded_image(PoseView2 pose, const Point2& p);
+Point3 rounded_image(PoseView pose, const Point3& p);
+Vector2 rounded_image(PoseView2 pose, const Vector2& v);
+Vector3 rounded_image(PoseView pose, const Vector3& v);
 
 /// Nothing where a coordinate would have to be rounded.
-std::optional<Point2> exact_image(const Pose2& pose, const Point2& p);
-std::optional<Point3> exact_image(const Pose& pose, const Point3& p);
+std::optional<Point2> exact_image(PoseView2 pose, const Point2& p);
+std::optional<Point3> exact_image(PoseView pose, const Point3& p);
 
 /// First `inner`, then `outer`.
 Pose2 rounded_composition(const Pose2& outer, const Pose2& inner);

@@ -1,7 +1,7 @@
 // Is this a figure at all?  What every function that is handed figures asks of their numbers, by what their bodies say.
 //
 // Laws: NonFinite for a number that is none, by the name of its part; InvalidShape for a negative length, a chain of
-// fewer than three places, a surface without faces.
+// fewer than three places, a surface without faces, the quaternion zero.
 // Source: none.
 // Cost: an addition a number, in a tree; lists are looked through.
 #pragma once
@@ -16,9 +16,15 @@
 
 namespace plumb::figure {
 
+/// What a quaternion has beside w.
+constexpr double vector_part(const Rotation2& q) { return q.z; }
+constexpr Vector3 vector_part(const Rotation& q) { return {q.x, q.y, q.z}; }
+
 template <class Numbers>
 constexpr double sum_of(const Numbers& x) {
-  if constexpr (requires { x.z; }) {
+  if constexpr (requires { x.w; }) {
+    return x.w + sum_of(vector_part(x));
+  } else if constexpr (requires { x.z; }) {
     return x.x + (x.y + x.z);
   } else if constexpr (requires { x.y; }) {
     return x.x + x.y;
@@ -62,6 +68,8 @@ struct PartHolds {
       return p.is >= 0;
     } else if constexpr (R == part::Role::surface) {
       return !p.is.corners.empty();
+    } else if constexpr (R == part::Role::turn) {
+      return p.is != Member{0, 0};
     } else if constexpr (R == part::Role::slabs) {
       return p.is.min.size() == p.is.directions.size() && p.is.max.size() == p.is.directions.size();
     } else if constexpr (R == part::Role::figure && IsList<Member>::value) {
@@ -96,15 +104,21 @@ constexpr bool is_sound(const Shape& s) {
                               std::size_t min, std::size_t max);
 [[noreturn]] void refuse_length(std::string_view function, const std::string& name);
 [[noreturn]] void refuse_surface(std::string_view function, const std::string& name);
+[[noreturn]] void refuse_turn(std::string_view function, const std::string& name);
 /// What names are made of: "whole.part", or "whole" for a part without a name, and "list[i]".
 std::string name_of_part(const std::string& whole, std::string_view part);
 std::string name_of_item(const std::string& list, std::size_t i);
-/// For the first of two or three coordinates, or of one number, that is none.
-void refuse_number(std::string_view function, const std::string& name, std::span<const double> numbers);
+/// For the first of some coordinates, each called by its letter, or of one number, that is none.
+void refuse_number(std::string_view function, const std::string& name, std::span<const double> numbers,
+                   std::string_view letters = "xyz");
 
 template <class Numbers>
 [[gnu::cold, gnu::noinline]] void refuse_numbers(std::string_view function, const std::string& name, const Numbers& x) {
-  if constexpr (requires { x.z; }) {
+  if constexpr (std::is_same_v<Numbers, Rotation>) {
+    refuse_number(function, name, std::array{x.w, x.x, x.y, x.z}, "wxyz");
+  } else if constexpr (std::is_same_v<Numbers, Rotation2>) {
+    refuse_number(function, name, std::array{x.w, x.z}, "wz");
+  } else if constexpr (requires { x.z; }) {
     refuse_number(function, name, std::array{x.x, x.y, x.z});
   } else if constexpr (requires { x.y; }) {
     refuse_number(function, name, std::array{x.x, x.y});
@@ -152,6 +166,8 @@ void refuse(std::string_view function, const std::string& name, const Shape& s) 
         if (p.is < 0) refuse_length(function, whole(p));
       } else if constexpr (Part::role == part::Role::surface) {
         if (p.is.corners.empty()) refuse_surface(function, name);
+      } else if constexpr (Part::role == part::Role::turn) {
+        if (!PartHolds{}(p)) refuse_turn(function, whole(p));
       }
     };
     (refuse_what_is_none(parts), ...);

@@ -9,7 +9,7 @@
 // no surface is known.  NaN and infinity throw NonFinite.
 // Source: RTCD 3.7, 5.4.1.
 // Cost: linear, half a nanosecond a corner and three an edge around the point; logarithmic for convex polygons asked
-// many times: query/convex/location.hpp.
+// many times: query/convex/location.hpp.  Bounded by n signs, on integers as long as the exponents' span.
 #pragma once
 
 #include <optional>

@@ -10,7 +10,8 @@
 // An empty box or polyhedron throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.10 (figures 3.24, 3.25), 5.1.5 (figures 5.5, 5.6).
 // Cost: a triangle 2 to 9 signs of degree 2 to 4; an axis-aligned box comparisons only; an oriented box up to a hundred
-// signs; a polyhedron a walk.
+// signs; a polyhedron a walk.  Bounded by n signs of a polyhedron, on integers as long as the exponents' span: the walk
+// comes to no face twice.
 #pragma once
 
 #include <cstdint>

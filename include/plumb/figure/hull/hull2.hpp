@@ -13,7 +13,8 @@
 // Source: RTCD 3.9.1 (Andrew 1979), 3.9.2 (quickhull; Barber, Dobkin and Huhdanpaa 1996); Akl and Toussaint 1978 for
 // the prefilter.
 // Cost: n log n for the chain; n log n as a rule for quickhull, n^2 at worst; the prefilter leaves out most of points
-// that fill an area in linear time before either.
+// that fill an area in linear time before either.  Bounded by n log n signs for the chain, n^2 signs for quickhull, on
+// integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 // Euler's formula, that the faces seen from above cover a convex region once, those from below likewise, that the
 // vertical ones stand on its rim, and of every point that it lies between the two.  That this suffices: docs/hulls.md.
 // Source: RTCD 3.8.1, 3.9; Mehlhorn et al., "Checking geometric programs or verification of geometric structures".
-// Cost: (n + faces) log faces, as a rule.
+// Cost: (n + faces) log faces, as a rule.  Bounded by n^2 signs, on integers as long as the exponents' span.
 #pragma once
 
 #include <string>

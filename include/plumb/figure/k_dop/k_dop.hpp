@@ -11,6 +11,7 @@
 // Cost: intervals_overlap that of the plain test; relate the same where some interval is disjoint, 4 to 10 ns a slab
 // where a point inside both is guessed, else some microseconds for a linear program in doubles of which the outcome is
 // proved, ten where sets touch, up to a millisecond in rationals where one is flat; moves, measures: milliseconds.
+// Bounded by n operations for a fit; of relate and tighten by a linear program of k rows, whatever the exponents are.
 #pragma once
 
 #include <memory>
@@ -18,10 +19,10 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/arith/pose.hpp"
 #include "plumb/arith/rounding.hpp"
 #include "plumb/figure/basic/body.hpp"
 #include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/figure/basic/relation.hpp"
 
 namespace plumb {
@@ -66,7 +67,7 @@ KDop2 fit_k_dop(std::span<const Point2> points, const Directions2& directions);
 KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions);
 KDop3 fit_k_dop(std::span<const Point3> points, int k);
 /// Of the points under the pose: the tight refit of what has moved (RTCD 4.6.4).
-KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, const Pose& pose);
+KDop3 fit_k_dop(std::span<const Point3> points, const Directions3& directions, PoseView pose);
 
 /// The least k-DOP of both k-DOPs' intervals; one with an empty interval adds nothing.
 KDop2 merge(const KDop2& a, const KDop2& b);
@@ -74,8 +75,8 @@ KDop3 merge(const KDop3& a, const KDop3& b);
 
 /// Of the same directions around the exact image.  An empty k-DOP stays as it is; InvalidShape where the image is
 /// unbounded along a direction.
-KDop2 transform(const KDop2& k_dop, const Pose2& pose);
-KDop3 transform(const KDop3& k_dop, const Pose& pose);
+KDop2 transform(const KDop2& k_dop, PoseView2 pose);
+KDop3 transform(const KDop3& k_dop, PoseView pose);
 
 /// With every slack plane moved up to the set, which stays the same but for the rounding.  An empty set becomes that of
 /// all intervals [1, -1].

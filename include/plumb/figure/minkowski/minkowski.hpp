@@ -13,7 +13,8 @@
 // Source: RTCD 3.11 (figures 3.26, 3.27).
 // Cost: for polygons linear: their edges are merged in angular order.  In space that of both hulls, and for each vertex
 // of the sum, met along the edges, k log k signs of degree 3 or 2 for the k edges that leave its two points: linear in
-// the size of the sum, but for such factors.
+// the size of the sum, but for such factors.  Bounded by n^2 log n signs in space, where a sum has n^2 vertices at
+// most, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,8 @@
 // Any points will do: equal, collinear, coplanar, of any magnitude.  No points throw InvalidShape; NaN and infinities
 // throw NonFinite; a box that doubles cannot hold throws BeyondDoubles.
 // Source: RTCD 4.4.3, 4.4.4, 4.4.5; Gottschalk 2000 for the continuous covariance.
-// Cost: linear in the points; those that ask for the hull cost the hull.
+// Cost: linear in the points; those that ask for the hull cost the hull.  Bounded by n operations for each set of axes,
+// of which a fixed number are tried, and by the hull.
 #pragma once
 
 #include <span>

@@ -9,15 +9,16 @@
 // A coordinate that is NaN or infinite throws NonFinite; a box that doubles cannot hold throws BeyondDoubles.
 // Source: RTCD 4.4, 4.4.1, 4.4.2, 6.5.3.
 // Cost: relate about 20 ns where doubles decide, in the plane 10; a few microseconds where boxes touch or are
-// degenerate.
+// degenerate.  Bounded by a fixed number of operations (n is eight corners), on integers as long as the exponents'
+// span.
 #pragma once
 
 #include <array>
 #include <span>
 
-#include "plumb/arith/pose.hpp"
 #include "plumb/arith/rounding.hpp"
 #include "plumb/figure/basic/box.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/figure/basic/relation.hpp"
 
 namespace plumb {
@@ -49,8 +50,8 @@ Obb2 merge(const Obb2& a, const Obb2& b);
 Obb3 merge(const Obb3& a, const Obb3& b);
 
 /// Around the image of the box.  Its axes are the images of the box's, where these are doubles the image itself.
-Obb2 transform(const Obb2& box, const Pose2& pose);
-Obb3 transform(const Obb3& box, const Pose& pose);
+Obb2 transform(const Obb2& box, PoseView2 pose);
+Obb3 transform(const Obb3& box, PoseView pose);
 
 double volume(const Obb3& box);
 double surface_area(const Obb3& box);

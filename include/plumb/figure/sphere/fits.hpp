@@ -8,7 +8,7 @@
 // Source: RTCD 4.3.2 (box midpoint; Ritter 1990), 4.3.3 (Wu 1992), 4.3.4.
 // Cost: two passes over the points for the box, four for Ritter, six for the principal axis, two and one for each
 // iteration; a pass costs 1 to 3 ns a point.  How tight they are: docs/bounds.md.  The smallest of all, minimum_sphere,
-// often costs no more.
+// often costs no more.  Bounded by n operations a pass.
 #pragma once
 
 #include <span>

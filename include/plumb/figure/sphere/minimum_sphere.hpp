@@ -13,7 +13,9 @@
 // Doubles propose it, exact signs decide everything.
 // Cost: some passes over the points at 1 to 2 ns a point, and some 20 us; where many points lie on the boundary or off
 // it by ulps, an exact sign for each of them.  Of balls some passes at 5 ns a ball in doubles, and 0.1 ms in rationals
-// that prove what these found; some ms where they did not.
+// that prove what these found; some ms where they did not.  Bounded by n expected exact signs for each of the at most
+// five points that span a sphere, whatever the points are, as they are taken in an order drawn at random; of integers
+// as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 // double that will do from there, above that of the smallest ball by 2^-48 of itself or of the largest coordinate of its
 // center at most.  merge(a, b) is merge(b, a).  (3) A transformed ball certainly
 // contains the exact image, whatever the matrix; its center is the image's rounded once, its radius above the least by
-// some ulps, and by what the center is off.
+// some ulps, and by what the center is off.  Under a rigid pose the radius grows by what the center is off alone.
 // A negative radius and an empty span throw InvalidShape; NaN and infinity throw NonFinite, naming the part; a bound
 // that no double holds throws BeyondDoubles.
 // Source: RTCD 4.3, 4.3.1, 6.5.2.
@@ -20,9 +20,9 @@
 #include <span>
 #include <string_view>
 
-#include "plumb/arith/pose.hpp"
 #include "plumb/arith/square_sum.hpp"
 #include "plumb/certify/sign_of.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/figure/basic/round.hpp"
 #include "plumb/predicates/distance.hpp"
@@ -125,12 +125,12 @@ Circle2 merge(std::span<const Circle2> circles);
 Sphere3 merge(std::span<const Sphere3> spheres);
 
 /// A ball around the image.
-Circle2 transform(const Circle2& circle, const Pose2& pose);
-Sphere3 transform(const Sphere3& sphere, const Pose& pose);
+Circle2 transform(const Circle2& circle, PoseView2 pose);
+Sphere3 transform(const Sphere3& sphere, PoseView pose);
 
 /// How much the matrix stretches the vector that it stretches most, certainly not less, and more by some ulps at most:
-/// its spectral norm.
-double largest_stretch(const Pose2& pose);
-double largest_stretch(const Pose& pose);
+/// its spectral norm.  Of rigid poses 1.
+double largest_stretch(PoseView2 pose);
+double largest_stretch(PoseView pose);
 
 }  // namespace plumb

@@ -24,7 +24,7 @@
 // coordinate would be infinite.
 // Source: RTCD 3.8, 4.2.5 (figure 4.7).
 // Cost: a sign of degree 2 for each vertex or axis, and for the numbers of round shapes pairs of doubles, some 100 ns;
-// integers where these leave a doubt, some 100 us.
+// integers where these leave a doubt, some 100 us.  Bounded by n signs, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -15,12 +15,13 @@
 // Source: RTCD 4.5, 4.5.1; Larsen and others 1999 for lozenges.
 // Cost: relate of capsules some 25 ns and of lozenges some 150 ns where a plane between them or two points near to one
 // another prove the answer; exact integers where shapes touch, up to a millisecond.  A fit some 100 ns a point.
+// Bounded by n operations a fit and a fixed number a relation, on integers as long as the exponents' span.
 #pragma once
 
 #include <span>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/arith/pose.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/figure/basic/round.hpp"
 
@@ -54,11 +55,12 @@ Lozenge3 merge(const Lozenge3& a, const Lozenge3& b);
 /// Along the axis of one of them or the line of their middles, whichever takes less room.
 Cylinder3 merge(const Cylinder3& a, const Cylinder3& b);
 
-/// Around the image: the image of the core, its ends rounded, and the radius times the largest stretch of the matrix.
-Capsule2 transform(const Capsule2& capsule, const Pose2& pose);
-Capsule3 transform(const Capsule3& capsule, const Pose& pose);
-Lozenge3 transform(const Lozenge3& lozenge, const Pose& pose);
+/// Around the image: the image of the core, its ends rounded, and the radius times the largest stretch of the matrix,
+/// under a rigid pose the radius itself, and what the ends are off.
+Capsule2 transform(const Capsule2& capsule, PoseView2 pose);
+Capsule3 transform(const Capsule3& capsule, PoseView pose);
+Lozenge3 transform(const Lozenge3& lozenge, PoseView pose);
 /// Around the image: along the image of the axis, as long as the image of the ends asks for.
-Cylinder3 transform(const Cylinder3& cylinder, const Pose& pose);
+Cylinder3 transform(const Cylinder3& cylinder, PoseView pose);
 
 }  // namespace plumb

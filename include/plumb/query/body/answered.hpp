@@ -16,11 +16,13 @@ enum class Sign : signed char;
 struct Closest;
 struct Contact;
 struct ContactManifold;
+struct ExactContact;
 struct ExactDistance;
 struct GjkAnswer;
 struct GjkBounds;
 struct Hit;
 struct Intersection3;
+struct LinearAnswer3;
 struct Penetration;
 struct PenetrationAlong;
 struct RayParameter;
@@ -138,12 +140,22 @@ concept Collidable = requires(const A& a, const B& b) {
 };
 
 // How do convex bodies touch, and how deep are they in one another?
-template <class Answer = ContactManifold>
+template <class Answer = std::optional<ContactManifold>>
 PLUMB_NO_ANSWER(
     Answer,
-    "plumb: contact_manifold takes convex bodies of space that are not round, as they stand or under a Pose: points, "
-    "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3")
-contact_manifold(PLUMB_ANYTHING) PLUMB_DELETED;
+    "plumb: contact takes two convex bodies of space, as they stand or under a Pose, and then ContactManifoldOptions: "
+    "points, "
+    "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, "
+    "capsules, lozenges")
+contact(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = std::optional<ExactContact>>
+PLUMB_NO_ANSWER(
+    Answer,
+    "plumb: exact_contact takes two convex bodies of space, as they stand or under a Pose, and then a margin: points, "
+    "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, "
+    "capsules, lozenges")
+exact_contact(PLUMB_ANYTHING) PLUMB_DELETED;
 
 template <class Answer = std::optional<Penetration>>
 PLUMB_NO_ANSWER(
@@ -190,5 +202,12 @@ PLUMB_NO_ANSWER(Answer,
                 "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
                 "VertexHull3, balls, capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
 gjk_distance(PLUMB_ANYTHING) PLUMB_DELETED;
+
+// What do linear constraints allow?
+template <class Answer = LinearAnswer3>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: maximize takes a Vector2 or Vector3 and then a span or vector of halfspaces of its space, "
+                "maximize(direction, halfspaces), or a vector of Rational and a LinearSystem")
+maximize(PLUMB_ANYTHING) PLUMB_DELETED;
 
 }  // namespace plumb

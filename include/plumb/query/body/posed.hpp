@@ -1,23 +1,43 @@
 // What is asked about figures under poses?  A figure as it stands or under a pose, by its type.
 //
-// Laws: a figure of space is posed by a Pose, one of the plane by a Pose2; what is asked is the exact image, whatever
-// the matrix: sheared, mirrored, or flattened to what it becomes.
+// Laws: a figure of space is posed by a Pose, a RigidPose or a RigidChain, one of the plane by a Pose2, a RigidPose2 or a
+// RigidChain2; what is asked is the exact image, whatever the matrix: sheared, mirrored, or flattened to what it
+// becomes; of a rigid pose it is as large and as round as the figure.
 // Source: RTCD 3.2.
 // Cost: none.
 #pragma once
 
+#include <variant>
+
 #include "plumb/arith/pose.hpp"
+#include "plumb/arith/rigid_pose.hpp"
 #include "plumb/query/body/pairs.hpp"
 
 namespace plumb {
 
 namespace query {
 
+/// A pose whose type the compiler need not know; what has none stands as it is.
+struct PoseView {
+  std::variant<std::monostate, const Pose*, const Pose2*, const RigidPose*, const RigidPose2*, const RigidChain*,
+               const RigidChain2*>
+      by;
+
+  PoseView() = default;
+  template <class By>
+  requires(PoseOfSpace<By> || PoseOfPlane<By>)  //
+      PoseView(const By* pose) {
+    if (pose != nullptr) by = pose;
+  }
+
+  [[nodiscard]] bool stands() const { return by.index() == 0; }
+  friend bool operator==(const PoseView&, const PoseView&) = default;  // the same pose, not one like it
+};
+
 /// A figure whose type the compiler need not know, and its pose, if it has one: of space or of the plane.
 struct PosedView {
   FigureView figure;
-  const Pose* in_space = nullptr;
-  const Pose2* in_plane = nullptr;
+  PoseView pose{};
 };
 
 template <class Shape>
@@ -39,13 +59,9 @@ template <class Shape>
 struct PoseOf {
   static constexpr bool fits = true;
 };
-template <Figure Shape>
-struct PoseOf<Posed<Shape, Pose>> {
-  static constexpr bool fits = figure_dimension<Shape> == 3;
-};
-template <Figure Shape>
-struct PoseOf<Posed<Shape, Pose2>> {
-  static constexpr bool fits = figure_dimension<Shape> == 2;
+template <Figure Shape, class By>
+struct PoseOf<Posed<Shape, By>> {
+  static constexpr bool fits = figure_dimension<Shape> == 3 ? PoseOfSpace<By> : PoseOfPlane<By>;
 };
 template <class Shape>
 inline constexpr bool has_its_pose = PoseOf<Shape>::fits;
@@ -60,10 +76,8 @@ template <class Shape>
 PosedView posed_view(const Shape& s) {
   if constexpr (!is_posed<Shape>) {
     return {view_of(s)};
-  } else if constexpr (figure_dimension<UnposedType<Shape>> == 3) {
-    return {view_of(s.shape), &s.pose, nullptr};
   } else {
-    return {view_of(s.shape), nullptr, &s.pose};
+    return {view_of(s.shape), &s.pose};
   }
 }
 

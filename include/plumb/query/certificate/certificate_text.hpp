@@ -10,7 +10,7 @@
 // Numbers are texts: fractions "-3/8", integers "5", or hexadecimal doubles "0x1.8p-3"; those of bodies are doubles.  A
 // body is its "vertices"; or these, one or two, and a "radius"; a box from "min" to "max"; the "center", "axes" and
 // "half" of an oriented box or a rectangle; the "corner", "edges" and "radius" of a lozenge; each with a "pose" of
-// "columns" and "translation" where it stands under one.  A distance has the claim "distance", its "square" and
+// "columns" and "translation" where it stands under one, or of "turn" and "translation", or of "links" that are such.  A distance has the claim "distance", its "square" and
 // "inset", and the "distance" rounded, "infinity" beyond all doubles.  docs/convex.md has the grammar.
 // Laws: (1) what is read says the same as what was written: the same numbers, corners by the same numbers, the same
 // verdict. (2) A text of any content is read or refused; what is not of the grammar is refused, members that are not
@@ -33,7 +33,7 @@ namespace plumb {
 /// A body as it was read; the first of these is a hull.
 struct RecordedBody {
   std::variant<std::vector<Point3>, Sphere3, Capsule3, Lozenge3, Aabb3, Obb3, Rectangle3> shape;
-  std::optional<Pose> pose;
+  std::optional<std::variant<Pose, RigidPose, RigidChain>> pose;
 };
 
 struct RecordedProof {

@@ -15,6 +15,7 @@
 // Source: RTCD 4.2, 4.3, 4.4, 4.5, 4.6; Rockafellar, Convex Analysis, 1970.
 // Cost: that of locating the corners where doubles hold them; else in rationals: some 20 us for a ball in a box or a
 // capsule, 120 us for an oriented box in another, from 0.3 ms on for inner k-DOPs and intersections of halfspaces.
+// Bounded by n^2 signs for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/body/contains_pairs.hpp"

@@ -9,7 +9,8 @@
 // coordinates finds.
 // A polygon that is not convex, or of fewer than three vertices, throws InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 5.4.1 (figure 5.28), by x instead of by fans, which takes two signs instead of log n.
-// Cost: linear once; log n comparisons and two signs a point.
+// Cost: linear once; log n comparisons and two signs a point.  Bounded by n operations for the making, log n signs a
+// point, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstddef>

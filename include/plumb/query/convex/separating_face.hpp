@@ -8,8 +8,9 @@
 // the lowest of the first polyhedron, else the lowest of the second.
 // A face whose corners are on one line parts nothing.  Numbers must be finite: NaN and infinity throw NonFinite.
 // Source: RTCD 4.6.5.
-// Cost: a sign for each vertex of the other that lies outside of a face, at most faces times vertices; of the face told last
-// time, which comes first where it is given, the vertices alone.
+// Cost: a sign for each vertex of the other that lies outside of a face, at most faces times vertices; of the face told
+// last time, which comes first where it is given, the vertices alone.  Bounded by n^2 signs, on integers as long as the
+// exponents' span.
 #pragma once
 
 #include <cstdint>

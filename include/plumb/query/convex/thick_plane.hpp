@@ -10,7 +10,8 @@
 // (3) A figure that is nothing is coplanar, and so is all where normal and offset are zero.
 // A negative radius throws InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 11.3.2, 8.3.4.
-// Cost: some microseconds a corner, in rationals; milliseconds for k-DOPs and intersections of halfspaces.
+// Cost: some microseconds a corner, in rationals; milliseconds for k-DOPs and intersections of halfspaces.  Bounded by
+// n signs, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/body/pairs.hpp"

@@ -22,10 +22,11 @@
 
 namespace plumb {
 
-/// A body of any type; refers to the shape, which has to live on.
+/// A body of any type; refers to the shape, which has to live on.  Of a figure of your own give a RoundedHull3.
 using AnyBody3 = query::BodyView;
 template <ConvexBody3 Shape>
-AnyBody3 any_body(const Shape& shape) {
+requires(!RoundedHullFigure<Shape>)  //
+    AnyBody3 any_body(const Shape& shape) {
   return query::body_view(shape);
 }
 
@@ -38,6 +39,7 @@ struct BodyPair {
 struct GjkBatchOptions {
   Execution execution = Execution::serial;
   std::span<GjkCache> caches{};  // none, or one a pair
+  WhichPair pair = WhichPair::any;
 };
 
 /// 1 where the pair meets, else 0.

@@ -16,7 +16,8 @@
 // Errors: those of support_point, in its name, and as it: a pose with NaN or infinity throws NonFinite, an image beyond all
 // doubles BeyondDoubles.
 // Source: RTCD 9.5.3; van den Bergen 1999 (support mappings of quadrics).
-// Cost: that of support_point a step beside that of gjk_bounds; some microseconds more under a pose.
+// Cost: that of support_point a step beside that of gjk_bounds; some microseconds more under a pose.  Bounded by
+// most_steps, of which each takes n operations of support_point.
 #pragma once
 
 #include "plumb/figure/support/support.hpp"

@@ -20,7 +20,8 @@
 // NaN and infinity throw NonFinite, by name; more than 2^32 - 2 constraints throw Error.
 // Source: Seidel, "Small-dimensional linear programming and convex hulls made easy", 1991; RTCD 9.4.1.
 // Cost: expected linear in the constraints, whatever they are; docs/measurements.md.  A unique optimum of which doubles
-// tell the signs allocates nothing but the scratch, which a caller may keep.
+// tell the signs allocates nothing but the scratch, which a caller may keep.  Bounded by n expected signs for each
+// variable, on integers as long as the exponents' span; at worst n^3.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@
 // NaN and infinity throw NonFinite, by name.
 // Source: Karush 1939; Kuhn and Tucker 1951; Seidel 1991; RTCD 9.4.2.
 // Cost: expected linear in the constraints, some 100 ns a constraint and a few microseconds for each that moves the
-// point.
+// point.  Bounded by n expected signs for each variable, on integers as long as the exponents' span; at worst n^3.
 #pragma once
 
 #include "plumb/arith/exact_distance.hpp"

@@ -9,8 +9,8 @@
 // Capsules and lozenges are answered where they are as round as it: UnevenPose else, as for flat ones and balls.  NaN and
 // infinity throw NonFinite, by name.  Cylinders, cones and caps are not asked.
 // Source: RTCD 4.7, 5.2; src/query/convex/ellipsoid_pair.hpp.
-// Cost: rationals: some 30 us, more with each corner; of two ellipsoids a millisecond, and up to some seconds where
-// exponents span all doubles, for products of high degree are as long.
+// Cost: rationals: some 30 us.  Bounded by n signs for n corners, and of two ellipsoids by a fixed number of operations,
+// on integers as long as the exponents' span: a millisecond, and some twenty where that is all of doubles.
 #pragma once
 
 #include "plumb/query/overlap/posed.hpp"

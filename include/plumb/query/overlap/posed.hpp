@@ -10,7 +10,7 @@
 // singular matrix makes the flat figure that it makes: its interior is that of its own affine hull.
 // Two balls are answered under any poses that are not singular, two other round figures (capsules, lozenges) where one
 // pose is a similarity as seen from the other (its columns at right angles and of one length, exactly), or where one maps
-// all to a point; a ball and a cylinder, cone or cap likewise.  What is round and flattened by its pose is not asked of
+// all to a point; a ball and a cylinder, cone or cap likewise.  Rigid poses leave round what is: every pair has an answer.  What is round and flattened by its pose is not asked of
 // polygons, a cylinder, cone or cap flattened so not of balls: UnevenPose.
 // contains takes a point, and every pair of figures that it takes without poses.  A round figure in a round one is
 // answered where one pose is a similarity as seen from the other, in a flat one under any pose.
@@ -19,6 +19,7 @@
 // Source: RTCD 3.2, 5.2.
 // Cost: some 2 us for points, lines, triangles, tetrahedra and boxes where running errors tell, some 20 us where these
 // touch; others in rationals: some 30 us for balls and quadrilaterals, 200 us for cylinders, 500 us for halfspaces.
+// Bounded by n^2 signs for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/figure/aabb/relation.hpp"

@@ -5,12 +5,13 @@
 //
 // Laws: the distance of the exact images, rounded once to the nearest double, of every pair that distance answers
 // without poses, one or both posed, in either order; zero where they meet.  What a singular matrix flattens is the flat
-// figure that it becomes.  A common pose that turns and mirrors alone, exactly, changes no answer.  closest_points takes
+// figure that it becomes.  A common RigidPose, or a Pose that turns and mirrors alone, exactly, changes no answer.  closest_points takes
 // posed triangles, and one of them and a point, here; any pair in query/separation/posed.hpp.
-// Round figures take poses whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
+// Round figures take rigid poses, and those whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
 // else.  An empty figure throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.1.
-// Cost: rationals: some 20 us for a point and a triangle, of polygons times the square of their corners.
+// Cost: rationals: some 20 us for a point and a triangle, of polygons times the square of their corners.  Bounded by
+// n^2 pairs of features, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/body/posed.hpp"

@@ -23,7 +23,8 @@
 // empty body, a negative radius and a polygon that is not planar and convex InvalidShape, a pose that makes no ball of
 // a ball UnevenPose, by name.
 // Source: RTCD 9.3.8, 9.5; van den Bergen 2001 (EPA).
-// Cost: docs/measurements.md; the exact answer some microseconds more.
+// Cost: docs/measurements.md; the exact answer some microseconds more.  Bounded by n^2 log n signs for n corners of
+// both, on integers as long as the exponents' span: their difference has n^2 vertices at most.
 #pragma once
 
 #include <optional>

@@ -14,7 +14,8 @@
 // balls around one center no direction is nearer than any other; whatever it ends by, the bounds hold.
 // Errors: those of gjk_bounds (query/gjk/support_mapping.hpp); most_steps of zero throws InvalidShape.
 // Source: van den Bergen 2001 (EPA); RTCD 9.3.8, 9.5.3.
-// Cost: a call of penetration a step, of as many points as steps, whatever the exponents are: some milliseconds for cones.
+// Cost: a call of penetration a step, of as many points as steps, whatever the exponents are: some milliseconds for
+// cones.  Bounded by most_steps calls of penetration, of n points at step n.
 #pragma once
 
 #include "plumb/query/gjk/figure_support.hpp"

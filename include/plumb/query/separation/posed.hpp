@@ -7,7 +7,7 @@
 // first in lexicographic order.  Of two posed triangles, and of one and a point, it is that of query/closest/pairs.hpp
 // (query/overlap/posed_distance.hpp).  (2) A common pose whose numbers are those of a move without rotation changes no
 // feature; a feature is the image of what it is without the pose, also where a singular matrix flattens it.
-// Round figures take poses whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
+// Round figures take rigid poses, and those whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
 // else.  An empty figure and a polygon that is not planar throw InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.1.
 // Cost: rationals: some 100 us for two boxes.

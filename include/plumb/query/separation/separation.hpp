@@ -17,9 +17,10 @@
 // alone: 2 times the direction, plus 1 at its upper end; the number of the halfspace.  (7) Degenerate figures are the sets
 // that they are.
 // NaN and infinity throw NonFinite, an empty figure, a negative radius and a polygon that is not planar InvalidShape, by
-// name.
+// name.  Where doubles decide, a polyhedron is what convex_polyhedron made, and is not looked through.
 // Source: RTCD 5.1.8, 5.1.9, 5.1.10, 5.1.11; Gilbert, Johnson and Keerthi 1988; Wolfe 1976.
-// Cost: docs/closest.md.
+// Cost: docs/closest.md.  Bounded by n^2 signs for n corners of both, on integers as long as the exponents' span: no
+// simplex comes twice.
 #pragma once
 
 #include "plumb/query/body/closest_pairs.hpp"

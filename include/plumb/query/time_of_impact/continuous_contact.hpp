@@ -12,9 +12,11 @@
 // A coordinate or separation that is NaN or infinite throws NonFinite, a negative separation InvalidShape.
 // Source: RTCD 5.5; Provot 1997; Brochu, Edwards and Bridson 2012 for what exactness asks.
 // Cost: comparisons of coordinates or the cubic's signs, below 100 ns, for what stays apart; below a microsecond for
-// most contacts; 1 to 5 us where an edge or an end is met exactly, or all is within one plane; some 20 us where an exact
-// time is asked for.  With a separation some 0.3 us, and a few us for its time; 200 us where doubles do not tell.
+// most contacts; 1 to 5 us where an edge or an end is met exactly, or all is within one plane; some 20 us where an
+// exact time is asked for.  With a separation some 0.3 us, and a few us for its time; 200 us where doubles do not tell.
 // Nothing is allocated, but for exact times, separations that doubles do not tell, and exponents hundreds apart.
+// Bounded by a fixed number of operations, and of bits by which a root is told from another, on integers of that
+// length.
 #pragma once
 
 #include <optional>

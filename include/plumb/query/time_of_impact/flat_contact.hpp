@@ -13,7 +13,8 @@
 // NaN and infinity throw NonFinite, a negative radius and a chain of fewer than three vertices throw InvalidShape, by
 // name.
 // Source: RTCD 5.5.3 to 5.5.8, in the plane.
-// Cost: that of translating_contact.hpp for each pair of a polygon's edges and what it meets.
+// Cost: that of translating_contact.hpp for each pair of a polygon's edges and what it meets.  Bounded by n^2 pairs of
+// features for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include <optional>

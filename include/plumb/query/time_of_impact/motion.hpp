@@ -10,6 +10,7 @@
 
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/pose.hpp"
+#include "plumb/arith/rigid_pose.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 
 namespace plumb {
@@ -42,17 +43,16 @@ struct Translating<Shape> {
   Vector2 by;
   friend bool operator==(const Translating&, const Translating&) = default;
 };
-/// A figure of the plane under a pose.
-template <class Shape>
-struct Translating<Posed<Shape, Pose2>> {
-  Posed<Shape, Pose2> shape;
+/// A figure of the plane under a pose of the plane.
+template <class Shape, class By>
+requires PoseOfPlane<By>
+struct Translating<Posed<Shape, By>> {
+  Posed<Shape, By> shape;
   Vector2 by;
   friend bool operator==(const Translating&, const Translating&) = default;
 };
 template <class Shape>
 Translating(Shape, Vector3) -> Translating<Shape>;
-template <class Shape>
-Translating(Posed<Shape, Pose2>, Vector2) -> Translating<Posed<Shape, Pose2>>;
 template <class Shape>
 Translating(Shape, Vector2) -> Translating<Shape>;
 

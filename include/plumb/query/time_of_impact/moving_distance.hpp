@@ -12,6 +12,7 @@
 // NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 5.5.1.
 // Cost: two distances for each span that cannot be told apart, some tens of them where figures come close or meet.
+// Bounded by a fixed number of distances, 2 / resolution.
 #pragma once
 
 #include <concepts>

@@ -7,16 +7,17 @@
 // Takes what query/time_of_impact/translating_contact.hpp takes, and Tetrahedron3, Rectangle3, Lozenge3,
 // Quadrilateral3, Polygon3, HoledPolygon3, convex or not: each against each in either order, but planes against planes.
 // The pose is where the figure stands; it moves by the vector as given.
-// Figures of the plane under a Pose2, all that query/time_of_impact/flat_contact.hpp takes, move by a Vector2 in it.
+// Figures of the plane under a pose of the plane, all that query/time_of_impact/flat_contact.hpp takes, move by a Vector2 in it.
 // Laws: those of query/time_of_impact/translating_contact.hpp, of the exact images.  What a singular matrix flattens is
 // the flat figure that it becomes; features keep the numbers that they have without the pose.  A polygon's vertices and
 // edges count through its chains, an edge by the vertex that it leaves; a rectangle's are a box's of two axes, a
 // lozenge's those of its parallelogram.  Where several features meet at once, those of what is no polygon count first.
-// Balls, capsules and lozenges take poses whose columns are at right angles and of one length that is a double,
+// Balls, capsules and lozenges take rigid poses, and those whose columns are at right angles and of one length that is a double,
 // exactly, against polygons of another length than zero; planes take those that are not singular: UnevenPose else.
 // A polygon that is not planar throws InvalidShape, by name.
 // Source: RTCD 3.2, 5.5, 5.5.6.
-// Cost: some 50 us for two boxes; of a polygon that of a segment for each edge, and rationals for the inside.
+// Cost: some 50 us for two boxes; of a polygon that of a segment for each edge, and rationals for the inside.  Bounded
+// by n^2 pairs of features for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/body/posed.hpp"

@@ -15,7 +15,8 @@
 // radius and a polyhedron without faces throw InvalidShape, all by name.
 // Source: RTCD 5.5.2, 5.5.3, 5.5.4, 5.5.5, 5.5.6, 5.5.7 and 5.5.8.
 // Cost: 10 to 150 ns for what misses, without allocation, up to a microsecond where there is a time; some microseconds
-// for polyhedra and where doubles do not tell.
+// for polyhedra and where doubles do not tell.  Bounded by n^2 pairs of features for n corners of both, on integers as
+// long as the exponents' span.
 #pragma once
 
 #include <concepts>

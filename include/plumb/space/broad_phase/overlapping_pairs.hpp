@@ -15,9 +15,9 @@
 // Cost: for boxes of like sizes some 60 to 100 ns a box and some ns a pair (docs/broad_phase.md).  swept_columns makes
 // at most 4 n + 4096 copies of boxes, 32 bytes each, and n^2 / 2 comparisons, sixteen by one operation: boxes that are
 // long in all directions at once are the worst case.  The other methods are slower as a rule; choose_index.hpp says by
-// how much.  Quadratic whatever the boxes are brute_force, implicit_grid and row_column_grid (a 64th of an operation for
-// each box and row) and lists along two or three axes; sort_and_sweep and lists along one where many boxes overlap along
-// it; every method where most boxes overlap.
+// how much.  Quadratic whatever the boxes are brute_force, implicit_grid and row_column_grid (a 64th of an operation
+// for each box and row) and lists along two or three axes; sort_and_sweep and lists along one where many boxes overlap
+// along it; every method where most boxes overlap.  Bounded by n^2 comparisons by every method.
 #pragma once
 
 #include <array>

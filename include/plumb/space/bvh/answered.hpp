@@ -31,6 +31,24 @@ PLUMB_NO_ANSWER(Answer,
                 "each, and then BvhOptions; of boxes build_box_tree")
 build_bvh(PLUMB_ANYTHING) PLUMB_DELETED;
 
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: build_kd_tree takes a span or vector of Point2 or Point3, and then KdTreeOptions: "
+                "build_kd_tree(std::vector<Point3>{{0, 0, 0}, {1, 1, 1}}); of figures build_figure_tree")
+build_kd_tree(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: build_figure_tree takes a span or vector of one kind of box, segment or triangle, and then "
+                "KdTreeOptions; of points build_kd_tree, of balls a build_box_tree of their boxes")
+build_figure_tree(PLUMB_ANYTHING) PLUMB_DELETED;
+
+template <class Answer = bool>
+PLUMB_NO_ANSWER(Answer,
+                "plumb: build_split_tree takes a span or vector of one kind of box, segment or triangle, and then "
+                "SplitTreeOptions")
+build_split_tree(PLUMB_ANYTHING) PLUMB_DELETED;
+
 // Which pairs?
 template <class Answer = std::vector<TrianglePair>>
 PLUMB_NO_ANSWER(Answer,

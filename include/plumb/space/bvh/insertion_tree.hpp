@@ -8,7 +8,8 @@
 //       given.  (2) Every box contains those below it at any time.
 // A number that is there already, or is not there, throws InvalidShape; boxes are refused as by build_box_tree.
 // Source: RTCD 6.2.3; Goldsmith and Salmon 1987.
-// Cost: the depth of the tree for an insertion or a removal: log n as a rule, n at worst.  Memory by the largest number.
+// Cost: the depth of the tree for an insertion or a removal: log n as a rule, n at worst.  Memory by the largest
+// number.  Bounded by n^2 operations for n insertions.
 #pragma once
 
 #include <array>

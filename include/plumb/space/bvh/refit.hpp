@@ -8,7 +8,8 @@
 //       threads.
 // A number of vertices that is not the tree's throws UnequalLengths, NaN and infinity NonFinite; nothing is changed then.
 // Source: RTCD 6.2.3; for the measure, Lauterbach et al. 2006 (RT-DEFORM).
-// Cost: refit a tenth of a build or less; rebuild_parts that of building what is bad.
+// Cost: refit a tenth of a build or less; rebuild_parts that of building what is bad.  Bounded by n operations;
+// rebuild_parts by the build.
 #pragma once
 
 #include <span>

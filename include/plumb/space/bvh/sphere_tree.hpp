@@ -14,7 +14,7 @@
 // NonFinite, a sphere that no double holds BeyondDoubles.
 // Source: RTCD 6.4.3, 6.4.4, 6.4.5; Hubbard 1995, Quinlan 1994.
 // Cost: an exact test of triangle against cell for each cell that may matter, a few microseconds a sphere; 40 bytes a
-// sphere.
+// sphere.  Bounded by n tests for each cell, of which the options say how many.
 #pragma once
 
 #include <cstdint>

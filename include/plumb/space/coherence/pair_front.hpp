@@ -17,8 +17,9 @@
 // Source: RTCD 6.7.2; Li and Chen 1998; for fronts in parts Tang, Manocha and Tong 2010.
 // Cost: a comparison of boxes for each pair of the front, some two thirds of what a descent compares, and one for each
 // two in four frames to see whether their parents' are apart.  Of posed meshes boxes are posed for the nodes of the
-// front alone, not for all.  Memory: memory() says it; 8 bytes a pair of the front, as many again while the next one
-// is made, and 4 for each node of both trees, of posed meshes 53.
+// front alone, not for all.  Memory: memory() says it; 8 bytes a pair of the front, as many again while the next one is
+// made, and 4 for each node of both trees, of posed meshes 53.  Bounded by n^2 tests of pairs, on integers as long as
+// the exponents' span.
 #pragma once
 
 #include <cstddef>

@@ -15,6 +15,7 @@
 // Source: RTCD 7.2.1.
 // Cost: insert, move and remove take constant time (a table that grows moves what is in it); overlapping 27 lists for
 // each level that is occupied; pairs a sort by x, and for each level that is occupied one of all that are no higher.
+// Bounded by n^2 comparisons for pairs, n for in_box and each level.
 #pragma once
 
 #include <cstdint>

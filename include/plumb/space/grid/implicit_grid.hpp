@@ -10,7 +10,7 @@
 // Source: RTCD 7.1.5.
 // Cost: insert and remove in proportion to the rows that a box reaches into, not to its cells; a query in proportion to
 // all boxes, a 64th of an operation for each and row.  So it is for some thousands of boxes that are asked often, and
-// for large ones among small.
+// for large ones among small.  Bounded by n^2 comparisons for pairs, n for in_box.
 #pragma once
 
 #include <cstdint>

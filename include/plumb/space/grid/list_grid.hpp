@@ -20,7 +20,7 @@
 // than options.most_memory throws Error.
 // Source: RTCD 7.1.2, 7.1.3, 7.1.6, 7.7.1, 7.7.2, 7.7.3.
 // Cost: insert, move and remove in proportion to the cells of the box, and to the boxes in them; a move within the same
-// cells is a copy.
+// cells is a copy.  Bounded by n^2 comparisons for each cell, and by the cells, of which most_memory says how many.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@
 // Errors are those of implicit_grid.hpp.
 // Source: RTCD 7.2.2.
 // Cost: insert, move and remove take constant time; a query a 64th of an operation for each box and row of each level;
-// pairs as of hierarchical_grid.hpp, which asks no bits.
+// pairs as of hierarchical_grid.hpp, which asks no bits.  Bounded by n^2 comparisons for pairs, n for in_box.
 #pragma once
 
 #include <cstdint>

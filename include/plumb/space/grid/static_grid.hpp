@@ -12,7 +12,8 @@
 // that would take more than options.most_memory throws Error.
 // Source: RTCD 7.1.4, 7.1.6.
 // Cost: time and memory in proportion to the cells that boxes reach into, and to the pairs of boxes in one cell; a
-// slice of many boxes is swept along x.
+// slice of many boxes is swept along x.  Bounded by n^2 comparisons for each cell, and by the cells, of which
+// most_memory says how many.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,8 @@
 // A batch answers each query as it is answered alone, on every number of threads.
 // An inverted box meets nothing.  A negative radius throws InvalidShape, what is NaN or infinite NonFinite, by name.
 // Source: RTCD 6.3.1.
-// Cost: what is found, and the figures at the border, whose distances and separating axes are asked.
+// Cost: what is found, and the figures at the border, whose distances and separating axes are asked.  Bounded by n log
+// n operations a query, the order of what is found, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/space/kd_tree/figure_tree.hpp"

@@ -9,7 +9,7 @@
 // A coordinate that is NaN or infinite throws NonFinite, which names the figure; an empty box, more than 2^31 figures,
 // leaves of no figure or of more than 255 throw InvalidShape.
 // Source: RTCD 6.2.1.
-// Cost: n log n; a figure, 4 bytes and some 11 bytes of nodes each.
+// Cost: n log n; a figure, 4 bytes and some 11 bytes of nodes each.  Bounded by n log n operations.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 // no point throw InvalidShape.
 // Source: RTCD 7.3.7, 13.4.1; Bentley 1975.
 // Cost: 28 bytes a point in space and 20 in the plane, 10 bytes a leaf; n log n to build, by recursion as deep as the
-// levels.
+// levels.  Bounded by n log n operations: each level halves.
 #pragma once
 
 #include <cstddef>
@@ -50,14 +50,17 @@ struct KdTree {
 using KdTree2 = KdTree<Point2>;
 using KdTree3 = KdTree<Point3>;
 
+template <class Point>
+concept KeptPoint = std::is_same_v<Point, Point2> || std::is_same_v<Point, Point3>;
+
 struct KdTreeOptions {
   std::uint32_t most_in_leaf = 8;
   Execution execution = Execution::parallel;
 };
 
-template <class Point>
+template <KeptPoint Point>
 KdTree<Point> build_kd_tree(std::span<const Point> points, const KdTreeOptions& options = {});
-template <class Point>
+template <KeptPoint Point>
 KdTree<Point> build_kd_tree(const std::vector<Point>& points, const KdTreeOptions& options = {}) {
   return build_kd_tree(std::span<const Point>(points), options);
 }

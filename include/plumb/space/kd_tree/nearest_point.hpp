@@ -7,7 +7,8 @@
 // UnequalLengths; of a coordinate that is NaN or infinite NonFinite, which names the query.
 // Source: RTCD 7.3.7; Friedman, Bentley, Finkel 1977.
 // Cost: log n where points are scattered.  Squares of distances in lanes of doubles with derived bounds; exact
-// comparisons among points that these leave equally near (docs/nearest.md).
+// comparisons among points that these leave equally near (docs/nearest.md).  Bounded by n log n operations a point, on
+// integers as long as the exponents' span.
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,8 @@
 // threads.
 // An inverted box holds nothing.  A negative radius throws InvalidShape, what is NaN or infinite NonFinite, by name.
 // Source: RTCD 7.3.7.
-// Cost: what is found, and the leaves at the border.
+// Cost: what is found, and the leaves at the border.  Bounded by n log n operations a query, the order of what is
+// found, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstddef>

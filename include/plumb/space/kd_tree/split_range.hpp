@@ -7,7 +7,7 @@
 // An inverted box meets nothing.  A coordinate that is NaN or infinite throws NonFinite, by name.
 // Source: RTCD 7.3.7.
 // Cost: the leaves that the box meets, and a sort of what is in them; comparisons of boxes in each leaf, and a test for
-// each pair whose boxes meet.
+// each pair whose boxes meet.  Bounded by n^2 tests a leaf for pairs, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/space/kd_tree/split_tree.hpp"

@@ -7,6 +7,7 @@
 // A coordinate that is NaN or infinite throws NonFinite, by name.
 // Source: RTCD 7.3.7, 7.4.1.
 // Cost: a comparison of parameters for each plane that is met, and a test for each figure in the cells up to the hit.
+// Bounded by n tests a ray, times most_references, on integers as long as the exponents' span.
 #pragma once
 
 #include <optional>
@@ -43,5 +44,11 @@ std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree,
                                            const typename SplitTree<Figure>::Segment& segment);
 template <ShotAtFigure Figure>
 std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray);
+
+/// Whether there is one: the search ends at the first that is found.
+template <ShotAtFigure Figure>
+bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Segment& segment);
+template <ShotAtFigure Figure>
+bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray);
 
 }  // namespace plumb

@@ -18,7 +18,7 @@
 // and options out of range InvalidShape.
 // Source: RTCD 7.3.7; MacDonald and Booth 1990 for the choice of planes.
 // Cost: 16 bytes a node, 4 a leaf and a place in it; n log n to build: a test against two cells for each figure that is
-// cut.
+// cut.  Bounded by n log n operations a level, times most_references; 60 levels at most.
 #pragma once
 
 #include <cstddef>

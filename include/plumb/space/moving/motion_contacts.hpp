@@ -15,7 +15,8 @@
 // A separation that is NaN or infinite throws NonFinite, a negative one InvalidShape.  progress may stop the search.
 // Source: RTCD 5.5, 6.3.3; Provot 1997.
 // Cost: a comparison of boxes for each pair of nodes that may meet, then that of continuous_contact.hpp for each pair
-// whose boxes meet; some 20 us for each of those whose times round alike where these are to be told apart.
+// whose boxes meet; some 20 us for each of those whose times round alike where these are to be told apart.  Bounded by
+// n^2 contacts of pairs, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

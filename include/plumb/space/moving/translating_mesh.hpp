@@ -14,7 +14,8 @@
 // Source: RTCD 5.5.2, 6.3.2, 6.3.3.
 // Cost: branch and bound over pairs of nodes, always those whose boxes can meet first; a contact of two triangles for
 // each pair whose boxes meet before the first contact does.  Of many that land flat at once few are asked: along an
-// axis whole nodes are left out, else each corner's side of the plane is looked at once.
+// axis whole nodes are left out, else each corner's side of the plane is looked at once.  Bounded by n^2 log n
+// operations, on integers as long as the exponents' span: each pair at most, and their order by time.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,8 @@
 // No recursion.  NaN and infinity throw NonFinite ("build_octree: points[17].y is nan, ..."), options out of range and
 // more than 2^32 - 2 points InvalidShape.
 // Source: RTCD 7.3.1, 7.3.4, 7.3.5; Karras 2012 for building in parallel from sorted codes.
-// Cost: linear: a code each, its sorting by digits, and a binary search for each cell.
+// Cost: linear: a code each, its sorting by digits, and a binary search for each cell.  Bounded by n operations a
+// level, of which there are 31 at most.
 #pragma once
 
 #include "plumb/space/octree/cell_tree.hpp"

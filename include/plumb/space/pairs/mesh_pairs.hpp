@@ -12,8 +12,9 @@
 // round.  (6) An empty mesh meets nothing.
 // progress may stop each of these (plumb/space/bvh/progress.hpp).
 // Source: RTCD 6.3.3, 5.2.10; Guigue and Devillers 2003.
-// Cost: comparisons of boxes for each pair of wide nodes that may meet, and of triangles with planes for those of leaves,
-// eight at once; relate for those that are left; sorting in linear time.
+// Cost: comparisons of boxes for each pair of wide nodes that may meet, and of triangles with planes for those of
+// leaves, eight at once; relate for those that are left; sorting in linear time.  Bounded by n^2 tests of pairs, on
+// integers as long as the exponents' span.
 #pragma once
 
 #include <cstddef>

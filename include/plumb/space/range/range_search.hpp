@@ -11,7 +11,8 @@
 // progress may stop a batch.
 // Source: RTCD 6.3.1, 5.2.
 // Cost: one exact test of box against shape for each child of a node that is entered, of a convex region one for each
-// halfspace; intersects for the triangles of leaves, a corner's location first.
+// halfspace; intersects for the triangles of leaves, a corner's location first.  Bounded by n tests of triangles, on
+// integers as long as the exponents' span.
 #pragma once
 
 #include <concepts>

@@ -9,7 +9,7 @@
 // A point that is NaN or infinite throws NonFinite, a span of another length than the points UnequalLengths.
 // Source: RTCD 5.4.3.
 // Cost: a descent by comparisons alone, and an exact sign for each triangle that the line along x through the point
-// passes.
+// passes.  Bounded by n signs a point, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

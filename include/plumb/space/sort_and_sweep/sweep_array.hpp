@@ -9,7 +9,7 @@
 // more steps than a radix sort costs, boxes are sorted from scratch.
 // A number that is NaN or infinite throws NonFinite, a box that is empty InvalidShape, and the order is kept.
 // Source: RTCD 7.5.2.
-// Cost: some ns a box for the order, and the sweep (sort_and_sweep.hpp).
+// Cost: some ns a box for the order, and the sweep (sort_and_sweep.hpp).  Bounded by n^2 comparisons a call.
 #pragma once
 
 #include <cstddef>

@@ -12,8 +12,9 @@
 // come first, but a box that is flat there begins after the ends and ceases before the starts of others.
 // A number that names no box throws InvalidShape, bad boxes are refused as elsewhere; then all is as it was.
 // Source: RTCD 7.5.1; Baraff 1992.
-// Cost: a step for each start or end that a box passes along each of the axes; n steps for a box that is new, and a look
-// at each pair for one that goes.  With fewer axes than three, pairs that overlap along these are kept, which are more.
+// Cost: a step for each start or end that a box passes along each of the axes; n steps for a box that is new, and a
+// look at each pair for one that goes.  With fewer axes than three, pairs that overlap along these are kept, which are
+// more.  Bounded by n^2 steps for n boxes that come or move.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,34 @@
+// Products of vectors some of whose numbers may be zero: what is times an exact zero is an exact zero.
+//
+// Numbers with an error bound know no product without one, for the sake of underflow.  A normal of boxes that stand
+// upright is made of zeros, and whether it is at right angles to an edge is decided by them.
+// Laws: the values of arith::dot and arith::cross; a bound is no larger.
+// Source: docs/proof.md.
+// Cost: two comparisons a product.
+#pragma once
+
+#include <concepts>
+
+#include "arith/certain.hpp"
+#include "arith/vec.hpp"
+
+namespace plumb::arith {
+
+template <class T>
+[[gnu::always_inline]] inline T sparse_product(const T& a, const T& b) {
+  if constexpr (requires { a.sign().certain(); }) {
+    if (certainly_zero(a) || certainly_zero(b)) return T(0.0);
+  }
+  return a * b;
+}
+template <class T>
+[[gnu::always_inline]] inline T sparse_dot(const Vec<T>& a, const Vec<T>& b) {
+  return sparse_product(a.x, b.x) + sparse_product(a.y, b.y) + sparse_product(a.z, b.z);
+}
+template <class T>
+[[gnu::always_inline]] inline Vec<T> sparse_cross(const Vec<T>& a, const Vec<T>& b) {
+  return {sparse_product(a.y, b.z) - sparse_product(a.z, b.y), sparse_product(a.z, b.x) - sparse_product(a.x, b.z),
+          sparse_product(a.x, b.y) - sparse_product(a.y, b.x)};
+}
+
+}  // namespace plumb::arith

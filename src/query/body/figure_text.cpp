@@ -1,0 +1,248 @@
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "certify/case_line.hpp"
+#include "plumb/figure/basic/polyhedron.hpp"
+#include "plumb/figure/generated/generated.hpp"
+#include "plumb/query/body/any_figure.hpp"
+
+namespace plumb {
+namespace {
+
+// A kind by one word, as degenerate/shape.hpp spells it where it has that kind.
+template <Figure Shape>
+std::string_view word_of_shape() {
+  if constexpr (std::is_same_v<Shape, ConvexPolyhedron3>) {
+    return "polyhedron";
+  } else if constexpr (GeneratedShape<Shape>) {
+    return degenerate::name_of(generated_kind<Shape>);
+  } else {
+    return name_of(figure_kind<Shape>);
+  }
+}
+template <Figure Shape>
+std::string name_of_shape() {
+  return std::string(word_of_shape<Shape>()) + std::to_string(figure_dimension<Shape>);
+}
+
+// Vectors and points have two numbers or three, in order.
+template <class Places>
+void append(std::vector<double>& to, const Places& places) {
+  for (const auto& p : places) {
+    to.push_back(p.x), to.push_back(p.y);
+    if constexpr (requires { p.z; }) to.push_back(p.z);
+  }
+}
+
+template <class Shape>
+std::vector<double> row_of(const Shape& s) {
+  std::vector<double> row;
+  const auto count = [&row](std::size_t n) { row.push_back(static_cast<double>(n)); };
+  if constexpr (std::is_trivially_copyable_v<Shape>) {
+    row.resize(sizeof(Shape) / sizeof(double));
+    std::memcpy(row.data(), &s, sizeof(Shape));
+  } else if constexpr (requires { s.outer; }) {
+    count(1 + s.holes.size());
+    const auto chain = [&](const auto& polygon) { count(polygon.vertices.size()), append(row, polygon.vertices); };
+    chain(s.outer);
+    for (const auto& hole : s.holes) chain(hole);
+  } else if constexpr (requires { s.halfspaces; }) {
+    for (const auto& h : s.halfspaces) append(row, std::array{h.normal}), row.push_back(h.offset);
+  } else if constexpr (requires { s.directions; }) {
+    count(s.directions.size());
+    append(row, s.directions.all());
+    row.insert(row.end(), s.min.begin(), s.min.end());
+    row.insert(row.end(), s.max.begin(), s.max.end());
+  } else if constexpr (requires { s.mesh; }) {
+    count(s.mesh.vertices.size());
+    append(row, s.mesh.vertices);
+    for (std::size_t f = 0; f + 1 < s.mesh.first.size(); ++f) {
+      count(s.mesh.first[f + 1] - s.mesh.first[f]);
+      for (std::size_t i = s.mesh.first[f]; i < s.mesh.first[f + 1]; ++i) count(s.mesh.corners[i]);
+    }
+  } else {
+    append(row, s.vertices);
+  }
+  return row;
+}
+
+/// Numbers in order, of which a shape with lists takes as many as it says.
+class Row {
+ public:
+  Row(std::string_view name, std::vector<double> numbers) : name_(name), numbers_(std::move(numbers)) {}
+
+  [[nodiscard]] bool ended() const { return at_ == numbers_.size(); }
+  double number() {
+    if (ended()) refuse("the line ends too early");
+    return numbers_[at_++];
+  }
+  /// A whole number, below `end`.
+  std::size_t count(double end) {
+    const double n = number();
+    if (!(n >= 0 && n < end && n == std::floor(n))) refuse(hexadecimal(n) + " counts nothing");
+    return static_cast<std::size_t>(n);
+  }
+  /// How many of `size` numbers each follow?
+  std::size_t list(std::size_t size) {
+    const std::size_t n = count(0x1p32);
+    if (n > (numbers_.size() - at_) / size) refuse("the line ends too early");
+    return n;
+  }
+  template <class Place>
+  std::vector<Place> places(std::size_t n) {
+    std::vector<Place> all(n);
+    std::memcpy(all.data(), numbers_.data() + at_, n * sizeof(Place));
+    at_ += n * sizeof(Place) / sizeof(double);
+    return all;
+  }
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw InvalidShape(std::string(name_) + ": " + why + "; query/body/any_figure.hpp says what its numbers are");
+  }
+
+ private:
+  std::string_view name_;
+  std::vector<double> numbers_;
+  std::size_t at_ = 0;
+};
+
+template <class Vector>
+KDop<Vector> k_dop_of(Row& row) {
+  constexpr std::size_t size = sizeof(Vector) / sizeof(double);
+  const std::size_t n = row.list(size + 2);
+  return {Directions<Vector>(row.places<Vector>(n)), row.places<double>(n), row.places<double>(n)};
+}
+
+ConvexPolyhedron3 polyhedron_of(Row& row) {
+  PolygonMesh mesh;
+  mesh.vertices = row.places<Point3>(row.list(3));
+  while (!row.ended()) {
+    for (std::size_t n = row.list(1); n-- > 0;)
+      mesh.corners.push_back(static_cast<std::uint32_t>(row.count(static_cast<double>(mesh.vertices.size()))));
+    mesh.first.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+  return convex_polyhedron(std::move(mesh));
+}
+
+template <class Shape>
+Shape shape_of(std::string_view name, std::vector<double> numbers) {
+  if constexpr (std::is_same_v<Shape, SphericalCap3>) {
+    if (numbers.size() != 8) Row(name, numbers).refuse(std::to_string(numbers.size()) + " numbers, not 8");
+    Shape cap;
+    std::memcpy(&cap, numbers.data(), sizeof cap);
+    return cap;
+  } else if constexpr (std::is_same_v<Shape, ConvexPolyhedron3> || requires(Shape s) { s.directions; }) {
+    Row row(name, std::move(numbers));
+    Shape shape = [&row] {
+      if constexpr (std::is_same_v<Shape, ConvexPolyhedron3>) {
+        return polyhedron_of(row);
+      } else if constexpr (figure_dimension<Shape> == 2) {
+        return k_dop_of<Vector2>(row);
+      } else {
+        return k_dop_of<Vector3>(row);
+      }
+    }();
+    if (!row.ended()) row.refuse("numbers are left over");
+    return shape;
+  } else {
+    return shape_from<Shape>(numbers);
+  }
+}
+
+void append(std::string& line, std::span<const double> numbers) {
+  for (const double x : numbers) line.append(" ").append(hexadecimal(x));
+}
+
+/// Numbers, up to the end of the line or a word that is none.
+std::vector<double> next_numbers(std::string_view& line) {
+  std::vector<double> numbers;
+  for (std::string_view rest = line, word = next_word(rest); !word.empty() && word != "pose"; word = next_word(rest)) {
+    numbers.push_back(parse_double(word));
+    line = rest;
+  }
+  return numbers;
+}
+
+template <class By>
+By pose_of(std::string_view name, const std::vector<double>& numbers) {
+  constexpr std::size_t size = sizeof(By) / sizeof(double);
+  if (numbers.size() != size) {
+    throw InvalidShape(std::string(name) + ": " + std::to_string(numbers.size()) + " numbers are no pose; give " +
+                       std::to_string(size) + ", the columns and then the translation");
+  }
+  By pose;
+  std::memcpy(&pose, numbers.data(), sizeof pose);
+  return pose;
+}
+
+struct Reader {
+  std::string name;
+  AnyFigure (*read)(std::string_view name, std::vector<double> numbers);
+};
+template <Figure Shape>
+Reader reader() {
+  return {name_of_shape<Shape>(), [](std::string_view name, std::vector<double> numbers) {
+            return AnyFigure(shape_of<Shape>(name, std::move(numbers)));
+          }};
+}
+
+/// Of every kind that there is.
+const std::vector<Reader>& readers() {
+  static const std::vector<Reader> all = [] {
+    std::vector<Reader> found;
+    for (const int dimension : {2, 3}) {
+      for (std::size_t k = 0; k < figure_kinds; ++k) {
+        const query::FigureView v{static_cast<FigureKind>(k), dimension, nullptr};
+        query::with_figure_type(v, [&]<class Shape>(const Shape*) {
+          if (figure_dimension<Shape> == dimension) found.push_back(reader<Shape>());
+        });
+      }
+    }
+    return found;
+  }();
+  return all;
+}
+
+const Reader& reader_named(std::string_view word) {
+  std::string names;
+  for (const Reader& r : readers()) {
+    if (r.name == word) return r;
+    names += (names.empty() ? "" : ", ") + r.name;
+  }
+  throw Error("there is no figure " + quoted_word(word) + "; there are " + names);
+}
+
+}  // namespace
+
+std::string to_string(const AnyFigure& figure) {
+  return visit(
+      [&figure]<class Shape>(const Shape& s) {
+        std::string line = name_of_shape<Shape>();
+        append(line, row_of(s));
+        std::visit(
+            [&line]<class By>(const By& pose) {
+              if constexpr (!std::is_same_v<By, std::monostate>) {
+                line += " pose";
+                append(line, row_of(pose));
+              }
+            },
+            figure.pose());
+        return line;
+      },
+      figure);
+}
+
+std::optional<AnyFigure> parse_figure(std::string_view line) {
+  const std::string_view word = next_word(line);
+  if (word.empty()) return std::nullopt;
+  const Reader& reader = reader_named(word);
+  AnyFigure figure = reader.read(reader.name, next_numbers(line));
+  if (next_word(line).empty()) return figure;
+  const std::vector<double> pose = next_numbers(line);
+  if (const std::string_view more = next_word(line); !more.empty())
+    throw Error(reader.name + ": nothing may follow the pose, but here comes " + quoted_word(more));
+  return figure.dimension() == 2 ? figure.under(pose_of<Pose2>(reader.name, pose))
+                                 : figure.under(pose_of<Pose>(reader.name, pose));
+}
+
+}  // namespace plumb

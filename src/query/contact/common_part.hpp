@@ -1,0 +1,160 @@
+// What have two features in common, seen along a direction?  The corners of the intersection of two convex polygons,
+// edges or points, by signs alone: which vertex is on which side of the line through which edge.
+//
+// Laws: exact where the signs are certain.  Of each corner it is known which vertex of one lies within which feature of
+// the other, or which two edges cross.  No corner twice.
+// Source: O'Rourke, Computational Geometry in C, 1998, 7.6, on the intersection of convex polygons.
+// Cost: a sign for each vertex of one and each edge of the other.
+#pragma once
+
+#include "query/contact/facing.hpp"
+
+namespace plumb::query::touching {
+
+/// Values over any number type, up to eight without allocation.
+template <class V>
+class Row {
+ public:
+  void push_back(const V& v) {
+    if (size_ < few_.size()) {
+      few_[size_] = v;
+    } else {
+      many_.push_back(v);
+    }
+    ++size_;
+  }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const V& operator[](std::size_t i) const { return i < few_.size() ? *few_[i] : many_[i - few_.size()]; }
+
+ private:
+  std::array<std::optional<V>, 8> few_;
+  std::vector<V> many_;
+  std::size_t size_ = 0;
+};
+
+enum class CornerKind : unsigned char { vertex_of_a, vertex_of_b, both_vertices, edges };
+
+/// By places in the lists of Facing: vertices, or the first ends of edges.
+struct Found {
+  CornerKind kind;
+  Index i, j;
+  ContactId id;
+};
+using FoundCorners = parting::ShortList<Found, 16>;
+
+/// A feature over a number type, seen along the direction that leads out of its body.
+template <class T>
+struct View {
+  const Seen& seen;
+  const Facing& f;
+  Row<Vec<T>> at;
+
+  View(const Seen& s, const Facing& facing) : seen(s), f(facing) {
+    for (const Index i : f.corners) at.push_back(s.core.at<T>(i));
+  }
+  [[nodiscard]] std::size_t size() const { return f.corners.size(); }
+  [[nodiscard]] std::size_t edges() const { return f.edges.size(); }
+  [[nodiscard]] Vec<T> edge(std::size_t i) const { return at[i + 1 == size() ? 0 : i + 1] - at[i]; }
+  [[nodiscard]] Feature vertex(std::size_t i) const { return surface_feature(seen, FeatureKind::vertex, f.corners[i]); }
+};
+
+/// On which side of each edge of one feature is each vertex of another?  Of a segment its two ends are lines, too.
+class Sides {
+ public:
+  template <class T>
+  Sides(const View<T>& of, const Vec<T>& out, const View<T>& other, CertainSigns& ask)
+      : lines_(of.size() == 2 ? 3 : of.edges()), vertices_(other.size()), is_segment_(of.size() == 2) {
+    for (std::size_t l = 0; l < of.edges(); ++l) {
+      const Vec<T> inward = sparse_cross(out, of.edge(l));
+      for (std::size_t j = 0; j < vertices_; ++j) sign_.push_back(ask(sparse_dot(inward, other.at[j] - of.at[l])));
+    }
+    if (of.size() != 2) return;
+    const Vec<T> along = sparse_cross(sparse_cross(out, of.edge(0)), out);
+    for (std::size_t end = 0; end < 2; ++end) {
+      for (std::size_t j = 0; j < vertices_; ++j) {
+        const Sign s = ask(sparse_dot(along, other.at[j] - of.at[end]));
+        sign_.push_back(end == 0 ? s : -s);
+      }
+    }
+  }
+  [[nodiscard]] Sign operator()(std::size_t line, std::size_t vertex) const { return sign_[line * vertices_ + vertex]; }
+
+  /// Which part of the feature a vertex is before: nothing if none.
+  struct Place {
+    FeatureKind kind;
+    std::size_t index;
+  };
+  [[nodiscard]] std::optional<Place> place(std::size_t vertex) const {
+    const auto is = [&](std::size_t line) { return (*this)(line, vertex); };
+    if (lines_ == 0) return Place{FeatureKind::vertex, 0};
+    if (is_segment_) {
+      if (is(0) != Sign::zero || is(1) == Sign::negative || is(2) == Sign::negative) return {};
+      if (is(1) == Sign::zero) return Place{FeatureKind::vertex, 0};
+      if (is(2) == Sign::zero) return Place{FeatureKind::vertex, 1};
+      return Place{FeatureKind::edge, 0};
+    }
+    std::size_t on = lines_, first = lines_;
+    for (std::size_t l = 0; l < lines_; ++l) {
+      if (is(l) == Sign::negative) return {};
+      if (is(l) != Sign::zero) continue;
+      if (on == lines_) {
+        on = first = l;
+      } else {
+        on = l;
+      }
+    }
+    if (on == lines_) return Place{FeatureKind::face, 0};
+    if (on == first) return Place{FeatureKind::edge, on};
+    return Place{FeatureKind::vertex, first == 0 && on + 1 == lines_ ? 0 : on};  // between both edges
+  }
+
+ private:
+  std::size_t lines_, vertices_;
+  bool is_segment_;
+  parting::ShortList<Sign, 32> sign_;
+};
+
+template <class T>
+Feature feature_of(const View<T>& v, const Sides::Place& place) {
+  if (place.kind == FeatureKind::face) return v.f.face;
+  return place.kind == FeatureKind::edge ? v.f.edges[place.index] : v.vertex(place.index);
+}
+
+/// `normal` leads from a to b.
+template <class T>
+FoundCorners common_corners(const View<T>& a, const View<T>& b, const Vec<T>& normal, CertainSigns& ask) {
+  const Vec<T> back = Vec<T>{T(0.0), T(0.0), T(0.0)} - normal;
+  const Sides on_a(a, normal, b, ask), on_b(b, back, a, ask);
+  FoundCorners found;
+  for (std::size_t j = 0; j < b.size() && (a.size() > 1 || b.size() == 1); ++j) {
+    const auto p = on_a.place(j);
+    if (!p) continue;
+    const bool both = p->kind == FeatureKind::vertex;
+    found.push_back({both ? CornerKind::both_vertices : CornerKind::vertex_of_b,
+                     static_cast<Index>(both ? p->index : 0),
+                     static_cast<Index>(j),
+                     {feature_of(a, *p), b.vertex(j)}});
+  }
+  for (std::size_t i = 0; i < a.size() && b.size() > 1; ++i) {
+    const auto p = on_b.place(i);
+    if (!p) continue;
+    const bool both = p->kind == FeatureKind::vertex;
+    if (both && a.size() > 1) continue;  // named before
+    found.push_back({both ? CornerKind::both_vertices : CornerKind::vertex_of_a,
+                     static_cast<Index>(i),
+                     static_cast<Index>(both ? p->index : 0),
+                     {a.vertex(i), feature_of(b, *p)}});
+  }
+  for (std::size_t i = 0; i < a.edges(); ++i) {
+    const std::size_t next = i + 1 == a.size() ? 0 : i + 1;
+    for (std::size_t j = 0; j < b.edges(); ++j) {
+      const std::size_t after = j + 1 == b.size() ? 0 : j + 1;
+      const auto differ = [](Sign s, Sign t) { return s != Sign::zero && s == -t; };
+      if (!differ(on_a(i, j), on_a(i, after)) || !differ(on_b(j, i), on_b(j, next))) continue;
+      found.push_back({CornerKind::edges, static_cast<Index>(i), static_cast<Index>(j), {a.f.edges[i], b.f.edges[j]}});
+    }
+  }
+  return found;
+}
+
+}  // namespace plumb::query::touching

@@ -1,0 +1,17 @@
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/overlap/posed.hpp"
+#include "plumb/query/variant/questions.hpp"
+#include "query/variant/asked.hpp"
+
+namespace plumb::query {
+
+bool any_intersects(const PosedView& a, const PosedView& b) {
+  require_related("intersects", a.figure, b.figure);
+  if (is_posed_view(a) || is_posed_view(b)) return relate_posed("intersects", a, b) != Relation::disjoint;
+  if (b.figure.kind < a.figure.kind) return any_intersects(b, a);
+  return asked_in_order<bool>(
+      "intersects", a.figure, b.figure,
+      [](const auto& x, const auto& y) requires requires { intersects(x, y); } { return intersects(x, y); });
+}
+
+}  // namespace plumb::query

@@ -1,0 +1,57 @@
+#include "plumb/figure/k_dop/k_dop.hpp"
+#include "plumb/query/variant/questions.hpp"
+
+namespace plumb::query {
+namespace {
+
+Support3 support_in_space(const Support3& s) { return s; }
+Support3 support_in_space(const Support2& s) { return {{s.point.x, s.point.y, 0}, s.feature, s.unique}; }
+Aabb3 box_in_space(const Aabb3& box) { return box; }
+Aabb3 box_in_space(const Aabb2& box) { return {{box.min.x, box.min.y, 0}, {box.max.x, box.max.y, 0}}; }
+
+template <class Ask>
+auto ask_along(std::string_view question, const AnyFigure& figure, const Vector3& direction, const Ask& ask) {
+  const auto refuse = [&] { refuse_figure(question, figure.figure()); };
+  using Answer = decltype(ask(Sphere3{}, direction));
+  if (figure.is_posed() || (figure.dimension() == 2 && !(direction.z == 0))) refuse();
+  return visit(
+      [&]<class Shape>(const Shape& s) -> Answer {
+        if constexpr (figure_dimension<Shape> == 2) {
+          const Vector2 in_plane{direction.x, direction.y};
+          if constexpr (requires { ask(s, in_plane); }) return ask(s, in_plane);
+        } else {
+          if constexpr (requires { ask(s, direction); }) return ask(s, direction);
+        }
+        refuse_figure(question, figure.figure());
+      },
+      figure);
+}
+
+}  // namespace
+
+Support3 any_support_point(const AnyFigure& figure, const Vector3& direction) {
+  return ask_along(
+      "support_point", figure, direction, [](const auto& s, const auto& d) requires requires { support_point(s, d); } {
+        return support_in_space(support_point(s, d));
+      });
+}
+
+double any_support_value(const AnyFigure& figure, const Vector3& direction, Rounding rounding) {
+  return ask_along(
+      "support_value", figure,
+      direction, [rounding](const auto& s, const auto& d) requires requires { support_value(s, d, rounding); } {
+        return support_value(s, d, rounding);
+      });
+}
+
+Aabb3 any_fit_aabb(const AnyFigure& figure) {
+  if (figure.is_posed()) refuse_figure("fit_aabb under a pose", figure.figure());
+  return visit(
+      [&](const auto& s) -> Aabb3 {
+        if constexpr (requires { fit_aabb(s); }) return box_in_space(fit_aabb(s));
+        refuse_figure("fit_aabb", figure.figure());
+      },
+      figure);
+}
+
+}  // namespace plumb::query

@@ -1,0 +1,113 @@
+// How long does a contact of two bodies take, with all its corners?  Ours, exact, cold and with the cache of the frame
+// before, and Bullet's box detector and GJK with the expanding polytope algorithm.
+//
+// Scenes: a crate on a table, turned about the upright axis and so resting exactly, a millimeter above, a millimeter in
+// it; the same on a slope, where no axis is exactly parallel to another; hulls of 32 vertices that overlap barely, or are
+// barely apart.  Bullet's boxes tell nothing of what is apart; its hulls tell one point a call.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <random>
+
+#include "plumb/figure/basic/convexity.hpp"
+#include "plumb/figure/hull/hull3.hpp"
+#include "plumb/query/contact/contact.hpp"
+#ifdef PLUMB_BENCH_CONTACT_RIVALS
+#include "bench/rivals/contact/rival.hpp"
+#endif
+
+namespace plumb {
+namespace {
+
+/// Turned about the upright axis, then down a slope.
+std::array<Vector3, 3> axes(double yaw, double slope) {
+  const double c = std::cos(yaw), s = std::sin(yaw), d = std::cos(slope), t = std::sin(slope);
+  return {Vector3{c * d, c * t, -s}, Vector3{-t, d, 0}, Vector3{s * d, s * t, c}};
+}
+
+template <class Shape>
+using Pairs = std::vector<std::pair<Shape, Shape>>;
+
+Pairs<Obb3> crates(double slope, double height) {
+  Pairs<Obb3> all;
+  for (int i = 0; i < 64; ++i) {
+    const auto under = axes(0, slope), upon = axes(0.1 * i + 0.05, slope);
+    const Vector3 up = under[1];
+    const double h = 1 + height;
+    all.emplace_back(Obb3{{h * up.x, h * up.y, h * up.z}, upon, {0.5, 0.5, 0.5}}, Obb3{{0, 0, 0}, under, {8, 0.5, 8}});
+  }
+  return all;
+}
+
+ConvexPolyhedron3 hull_at(double x, std::mt19937_64& random) {
+  std::vector<Point3> points;
+  std::normal_distribution<double> n;
+  while (points.size() < 32) {
+    const Vector3 v{n(random), n(random), n(random)};
+    const double r = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    points.push_back({x + v.x / r, v.y / r, v.z / r});
+  }
+  return convex_polyhedron(convex_hull(points), points);
+}
+Pairs<ConvexPolyhedron3> hulls(double apart) {
+  std::mt19937_64 random(5);
+  Pairs<ConvexPolyhedron3> all;
+  while (all.size() < 64) {
+    auto a = hull_at(0, random), b = hull_at(apart, random);
+    if (contact(a, b, {.margin = 0.5})) all.emplace_back(std::move(a), std::move(b));
+  }
+  return all;
+}
+
+template <class Ask>
+void run(benchmark::State& state, std::size_t count, Ask ask) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ask(i));
+    i = i + 1 == count ? 0 : i + 1;
+  }
+}
+
+template <class Shape>
+void add(const std::string& name, const std::function<Pairs<Shape>()>& make, double margin) {
+  const auto pairs = std::make_shared<std::optional<Pairs<Shape>>>();
+  const auto made = [=]() -> const Pairs<Shape>& { return *pairs ? **pairs : pairs->emplace(make()); };
+  const ContactManifoldOptions options{.margin = margin};
+  benchmark::RegisterBenchmark((name + "/plumb").c_str(), [=](benchmark::State& s) {
+    run(s, made().size(), [&](std::size_t i) { return contact(made()[i].first, made()[i].second, options); });
+  });
+  benchmark::RegisterBenchmark((name + "/cache").c_str(), [=](benchmark::State& s) {
+    std::vector<ContactCache> caches(made().size());
+    run(s, made().size(),
+        [&](std::size_t i) { return contact(made()[i].first, made()[i].second, options, &caches[i]); });
+  });
+#ifdef PLUMB_BENCH_CONTACT_RIVALS
+  benchmark::RegisterBenchmark((name + "/bullet").c_str(), [=](benchmark::State& s) {
+    std::vector<bench::AskContact> ask;
+    for (const auto& [a, b] : made()) ask.push_back(bench::bullet_contact(a, b));
+    run(s, ask.size(), [&](std::size_t i) { return ask[i](); });
+  });
+#endif
+}
+
+const bool added = [] {
+  for (const double slope : {0.0, 0.3}) {
+    const std::string on = slope == 0 ? "boxes_on_table/" : "boxes_on_slope/";
+    for (const double height : {1e-3, 0.0, -1e-3}) {
+      const std::string name = on + (height > 0 ? "apart" : height == 0 ? "resting" : "overlapping");
+      const auto make = [=] { return crates(slope, height); };
+      add<Obb3>(name, make, 0.01);
+    }
+  }
+  const auto near = [] { return hulls(1.95); };
+  const auto deep = [] { return hulls(1.6); };
+  add<ConvexPolyhedron3>("hulls32/apart", near, 0.5);
+  add<ConvexPolyhedron3>("hulls32/overlapping", deep, 0.5);
+  return true;
+}();
+
+}  // namespace
+}  // namespace plumb

@@ -1,0 +1,2 @@
+#define PLUMB_INSTANCE template
+#include "instances.hpp"

@@ -1,0 +1,32 @@
+// What does a question cost, and which header says so?  One row a question.
+#pragma once
+
+#include <cmath>
+
+#include "space/cost_clouds.hpp"
+
+namespace plumb::cost {
+
+/// As the header's line of cost says it behind "Bounded by ": `says`, in which n is the number of points.
+struct Growth {
+  const char* says;
+  double power = 0;
+  bool has_log = false;
+  [[nodiscard]] double of(double n) const { return std::pow(n, power) * (has_log ? std::log2(n) : 1); }
+};
+
+inline constexpr Growth fixed{"a fixed number of"}, logarithmic{"log n", 0, true}, linear{"n ", 1},
+    sorting{"n log n", 1, true}, quadratic{"n^2 ", 2}, quadratic_log{"n^2 log n", 2, true}, cubic{"n^3 ", 3},
+    quartic{"n^4 ", 4};
+
+struct CostRow {
+  const char* name;
+  const char* header;  // in include/plumb
+  Growth growth;
+  double most;  // millions of instructions for four clouds of nine points, of each kind
+  void (*ask)(const Cloud&);
+  std::size_t many = 72;     // points, of ordinary exponents, by which growth is measured
+  std::uint64_t clouds = 4;  // of each kind
+};
+
+}  // namespace plumb::cost
