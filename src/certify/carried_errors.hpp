@@ -7,8 +7,15 @@
 // worlds of the one ladder (plumb/certify/certainly.hpp), and a world is who judges.
 // Laws: the question is asked over Approximate, Ball and BigDyadic in turn, until all signs that it asked were certain;
 // over the last they always are.  Only that answer counts, so it must depend on its input and its signs alone.
+// Which sign has this number?  Walks whose every step takes a few signs ask one question for each, so that none is asked
+// again because another was not certain:
+//
+//   const Sign s = proved_sign([&]<class T>() { return dot(way<T>(), at<T>(i) - at<T>(j)); });
+//
+// Running errors tell most, integers on the stack what is left, and GMP's what a thousand bits do not hold.  Of numbers
+// that are NaN or infinite it means nothing.
 // Source: docs/proof.md.
-// Cost: as a rule that of plain doubles.
+// Cost: as a rule that of plain doubles; of a proved sign three times that.
 #pragma once
 
 #include <concepts>
@@ -16,8 +23,10 @@
 
 #include "arith/approximate.hpp"
 #include "arith/certain.hpp"
+#include "arith/running_error.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/arith/short_dyadic.hpp"
 #include "plumb/certify/certainly.hpp"
 
 namespace plumb {
@@ -33,5 +42,23 @@ struct Carrying : Signs {
 
 template <class Signs = CertainSigns>
 using CarriedErrors = Worlds<Carrying<Approximate, Signs>, Carrying<Ball, Signs>, Carrying<BigDyadic, Signs>>;
+
+template <class... T>
+using SignWorlds = Worlds<Carrying<T>...>;
+
+template <class List, class Text>
+Sign sign_in(const Text& text) {
+  return certainly<List>([&]<class T>(Carrying<T>& ask) { return ask(text.template operator()<T>()); });
+}
+/// Without doubles.
+template <class Text>
+[[gnu::noinline]] Sign sign_by_integers(const Text& text) {
+  return sign_in<SignWorlds<ShortDyadic, BigDyadic>>(text);
+}
+
+template <class Text>
+Sign proved_sign(const Text& text) {
+  return sign_in<SignWorlds<Running, ShortDyadic, BigDyadic>>(text);
+}
 
 }  // namespace plumb

@@ -38,7 +38,7 @@ struct View {
   double size;  // of the area seen
 };
 
-// The six ways to look, the most promising first.
+// The six ways to look, the most promising first: a guess.
 std::array<View, 6> views(std::span<const Point3> vertices, Corners corners) {
   auto normal = rounded_normal(vertices, corners, 1);
   const auto finite = [](double x) { return std::isfinite(x); };

@@ -51,7 +51,7 @@ class SmallTree : public testing::Test {
     write("src/surface/read.cpp", "#include \"plumb/surface/mesh.hpp\"\n#include \"surface/parser.hpp\"\n");
     write("src/figure/basic/near.hpp",
           "constexpr double thin = 0x1p-40;  // a guess\nx *= 0x1p-9;  // powers of two\n");
-    write("src/space/bvh/near.hpp", "constexpr double thin = 0x1p-40;\n");
+    write("src/tool/mesh/near.hpp", "constexpr double thin = 0x1p-40;\n");
     write("src/surface/parser.hpp", "");
     write("include/plumb/classic.h", "");
     write("src/classic/classic.cpp", "#include \"plumb/classic.h\"\n#include \"plumb/certify/decide.hpp\"\n");
@@ -130,6 +130,8 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"src/surface/odd.cpp", "namespace surface {\n}  // namespace surface\n", "not of its folder"},
       {"include/plumb/surface/odd.hpp", "", "named by no face"},
       {"src/query/ray/near.cpp", "constexpr double off = 0x1p-40;\n", "types a bound in line 1"},
+      {"src/space/bvh/near.cpp", "constexpr double off = 0x1p-40;\n", "types a bound in line 1"},
+      {"src/surface/near.cpp", "\n// No area is off by at most six times that.\n", "types a bound in line 2"},
       {"src/figure/basic/near.cpp", "// A guess.\n\n\n\n\nbool near = x < 3 * filter_constant<F>();\n", "in line 6"},
       {"tests/oracle/report.txt", std::string(200'001, ' '), "200001 bytes"},
   };

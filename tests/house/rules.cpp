@@ -58,6 +58,16 @@ bool has_typed_bound(std::string_view line) {
   const std::size_t constant = line.find("* filter_constant");
   return constant != std::string_view::npos && constant >= 2 && line[constant - 2] >= '0' && line[constant - 2] <= '9';
 }
+/// Does a comment argue by how much a number is off?  What is derived needs no argument.
+bool has_argued_bound(std::string_view line) {
+  const std::size_t comment = line.find("//");
+  if (comment == std::string_view::npos) return false;
+  line.remove_prefix(comment);
+  for (const char* argument : {"off by at most", "off at most", "of the error", "times the error"}) {
+    if (line.find(argument) != std::string_view::npos) return true;
+  }
+  return false;
+}
 /// Does it say what else that is?  A guess decides nothing; a power of two rounds nothing.
 bool says_what_else(std::string_view line) {
   return line.find("uess") != std::string_view::npos || line.find("power of two") != std::string_view::npos ||
@@ -67,7 +77,7 @@ bool says_what_else(std::string_view line) {
 void follow_bounds(std::string_view line, std::size_t number, std::size_t& silent, std::vector<std::size_t>& typed) {
   constexpr std::size_t heard = 4;
   silent = says_what_else(line) ? 0 : silent + 1;
-  if (silent > heard && has_typed_bound(line)) typed.push_back(number);
+  if (silent > heard && (has_typed_bound(line) || has_argued_bound(line))) typed.push_back(number);
 }
 
 /// Keeps the namespaces that are open, by the lines that open and close them as clang-format writes them.
@@ -357,9 +367,10 @@ void check_faces(const std::vector<Source>& sources, std::vector<Breach>& out) {
 /// What decides a question has a bound that is derived.  The kinds' inputs are made, and their rivals judged, by others.
 void check_bounds(const Source& source, std::vector<Breach>& out) {
   const std::string& path = source.path;
-  const auto below = [&path](std::string_view folder) { return path.find(folder) == 0; };
-  const bool decides =
-      below("src/query/") || below("src/figure/") || below("include/plumb/query/") || below("include/plumb/figure/");
+  const auto below = [&path](const std::string& folder) { return path.starts_with(folder); };
+  bool decides = false;
+  for (const std::string folder : {"figure/", "query/", "space/", "surface/"})
+    decides = decides || below("src/" + folder) || below("include/plumb/" + folder);
   if (!decides || below("src/query/kinds/") || source.typed_bounds.empty()) return;
   out.push_back({path, "types a bound in line " + std::to_string(source.typed_bounds.front()) +
                            " and says of no guess and no power of two"});

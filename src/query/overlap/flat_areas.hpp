@@ -45,19 +45,18 @@ struct AreaFromCorner {
   }
 };
 
-/// Whose areas are off by at most so much, for differences from the corner up to these.
+/// What an area must exceed for its sign to be certain, for differences from the corner up to these.
 constexpr double area_error(double x, double y) { return largest_threshold<AreaFromCorner>({x, y}); }
 
 /// The same of differences as doubles have them; not a number, or infinite, where an area might overflow or a
 /// difference is not finite.  Their sum serves for the largest: it is no less, as rounding is monotone, and keeps what
-/// is no number. No area exceeds 6 x y <= 2^52 of the error, so it is finite where 2^60 of that are.
+/// is no number.  The magnitude is no less than any number on the way to an area.
 template <class... Differences>
 double area_error_of(const Seen2<Differences>&... p) {
   constexpr double floor = largest_floor<AreaFromCorner>;
-  const double error = area_error((floor + ... + magnitude_of(p.x)), (floor + ... + magnitude_of(p.y)));
-  constexpr double more_than_areas = 0x1p60;
-  const double far = error * more_than_areas;
-  return error + (far - far);
+  const double x = (floor + ... + magnitude_of(p.x)), y = (floor + ... + magnitude_of(p.y));
+  const double most = magnitude_over<AreaFromCorner>({x, y});
+  return area_error(x, y) + (most - most);
 }
 constexpr Seen2<double> from_to(const Point2& from, const Point2& to) { return {to.x - from.x, to.y - from.y}; }
 

@@ -19,8 +19,8 @@
 
 namespace plumb::query {
 
-/// `over_a` are the heights of b's corners over a's plane, off by at most `error`, which bounds volumes that are seen
-/// from a.a: from other corners they are off by from_any_corner times as much.
+/// `over_a` are the heights of b's corners over a's plane, and `error` the bound of volumes that are seen from a.a; times
+/// from_any_corner it bounds those that are seen from others.
 std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
                                          double error);
 

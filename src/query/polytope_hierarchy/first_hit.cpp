@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certify/proved_sign.hpp"
+#include "certify/carried_errors.hpp"
 #include "plumb/figure/basic/plane.hpp"
 #include "query/polytope_hierarchy/nearest.hpp"
 #include "query/separation/convex_body.hpp"

@@ -6,7 +6,7 @@
 // Cost: that of a sign of degree 4; the way is made once in doubles, and in integers only where these do not tell.
 #pragma once
 
-#include "certify/proved_sign.hpp"
+#include "certify/carried_errors.hpp"
 #include "query/polytope_hierarchy/nearest.hpp"
 
 namespace plumb::query::hierarchy {

@@ -1,5 +1,5 @@
 // Extreme vertex: from the farthest one of the coarsest polytope to that of the finest.
-#include "certify/proved_sign.hpp"
+#include "certify/carried_errors.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "plumb/certify/direction.hpp"
 #include "query/polytope_hierarchy/descent.hpp"

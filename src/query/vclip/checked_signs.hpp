@@ -1,12 +1,12 @@
 // Adaptive precision: signs of texts about two solids, whose numbers are looked at before integers are made of them.
 //
-// Laws: those of certify/proved_sign.hpp; NaN and infinity throw NonFinite by name where a sign asks for them, for no
+// Laws: those of certify/carried_errors.hpp; NaN and infinity throw NonFinite by name where a sign asks for them, for no
 // double that came of them is certain.
 // Source: docs/proof.md.
 // Cost: as a rule three times that of plain doubles; nothing is looked at where these tell.
 #pragma once
 
-#include "certify/proved_sign.hpp"
+#include "certify/carried_errors.hpp"
 #include "query/vclip/clip_input.hpp"
 
 namespace plumb::query::vclipping {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "certify/proved_sign.hpp"
+#include "certify/carried_errors.hpp"
 #include "plumb/arith/error.hpp"
 
 namespace plumb::query::vclipping {
