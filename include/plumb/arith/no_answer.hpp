@@ -16,7 +16,6 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <type_traits>
 
 #include "plumb/predicates/standard.hpp"
@@ -27,7 +26,6 @@ namespace plumb::arith {
 struct Anything {
   template <class T>
   Anything(const T&);  // NOLINT: the one argument that every call has an overload for
-  Anything(std::initializer_list<Anything>);
   Anything();
 };
 
