@@ -12,7 +12,7 @@
 namespace plumb {
 namespace {
 
-using query::moving::ExactContact, query::moving::MovingKind, query::moving::ContactVerdict;
+using query::moving::TimedContact, query::moving::MovingKind, query::moving::ContactVerdict;
 using Motion = query::moving::ContactQuestion;
 
 Motion motion_of(const Moving<Point3>& a, const Moving<Triangle3>& b) {
@@ -33,7 +33,7 @@ void require_valid(std::string_view function, const Moving<A>& a, const Moving<B
         ": options.separation is negative; give a distance, zero for figures that are to touch"));
 }
 
-std::optional<ExactContact> exact_first_contact(const Motion& m, double separation) {
+std::optional<TimedContact> exact_first_contact(const Motion& m, double separation) {
   if (separation > 0 && query::moving::separation_filter(m, separation) == ContactVerdict::no) return {};
   return query::moving::exact_first_contact(m.kind, m.at_0, m.at_1, separation);
 }

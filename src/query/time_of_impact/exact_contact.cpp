@@ -88,7 +88,7 @@ bool counts_at_start(const FeaturePair& pair) {
 }
 
 /// The nearest features at time 0, where they are near enough.
-std::optional<ExactContact> contact_at_start(const std::vector<FeaturePair>& pairs, const mpz_class& square) {
+std::optional<TimedContact> contact_at_start(const std::vector<FeaturePair>& pairs, const mpz_class& square) {
   const FeaturePair* nearest = nullptr;
   mpq_class least;
   for (const FeaturePair& pair : pairs) {
@@ -100,13 +100,13 @@ std::optional<ExactContact> contact_at_start(const std::vector<FeaturePair>& pai
     least = distance;
   }
   if (least > square) return {};
-  return ExactContact{arith::root_at(0), nearest->a, nearest->b};
+  return TimedContact{arith::root_at(0), nearest->a, nearest->b};
 }
 
 /// The least time at which a pair that counts is at this distance.
-std::optional<ExactContact> first_of_pairs(const std::vector<FeaturePair>& pairs, const mpz_class& square) {
+std::optional<TimedContact> first_of_pairs(const std::vector<FeaturePair>& pairs, const mpz_class& square) {
   if (auto contact = contact_at_start(pairs, square)) return contact;
-  std::optional<ExactContact> first;
+  std::optional<TimedContact> first;
   for (const FeaturePair& pair : pairs) {
     arith::Polynomial distance = pair.zero;
     if (square != 0) {
@@ -118,7 +118,7 @@ std::optional<ExactContact> first_of_pairs(const std::vector<FeaturePair>& pairs
     arith::visit_roots_in_unit_interval(distance, [&](arith::IsolatedRoot& time) {
       if (first && compare(time, first->time) >= 0) return false;
       if (!ContactInPlane::counts(pair, time)) return true;
-      first = ExactContact{time, pair.a, pair.b};
+      first = TimedContact{time, pair.a, pair.b};
       return false;
     });
   }
@@ -127,7 +127,7 @@ std::optional<ExactContact> first_of_pairs(const std::vector<FeaturePair>& pairs
 
 }  // namespace
 
-std::optional<ExactContact> exact_first_contact(MovingKind kind, std::span<const Point3, 4> at_0,
+std::optional<TimedContact> exact_first_contact(MovingKind kind, std::span<const Point3, 4> at_0,
                                                 std::span<const Point3, 4> at_1, double separation) {
   ExponentSpan exponents;
   for (const auto& points : {at_0, at_1}) {
@@ -142,19 +142,19 @@ std::optional<ExactContact> exact_first_contact(MovingKind kind, std::span<const
   return exact_first_contact(kind, points, integer_on(exponent, separation));
 }
 
-std::optional<ExactContact> exact_first_contact(MovingKind kind, const FourMoving& points,
+std::optional<TimedContact> exact_first_contact(MovingKind kind, const FourMoving& points,
                                                 const mpz_class& separation) {
   const mpz_class square = separation * separation;
   if (square != 0) return first_of_pairs(feature_pairs(kind, points, false), square);
   arith::Polynomial cubic = coplanarity(points);
   if (cubic.empty()) return first_of_pairs(feature_pairs(kind, points, false), square);
   arith::make_primitive(cubic);
-  std::optional<ExactContact> first;
+  std::optional<TimedContact> first;
   std::optional<ContactInPlane> contact;
   arith::visit_roots_in_unit_interval(cubic, [&](arith::IsolatedRoot& time) {
     if (!contact) contact.emplace(kind, points);
     const auto features = contact->at(time);
-    if (features) first = ExactContact{time, features->a, features->b};
+    if (features) first = TimedContact{time, features->a, features->b};
     return !features.has_value();
   });
   return first;

@@ -18,16 +18,16 @@
 
 namespace plumb::query::moving {
 
-struct ExactContact {
+struct TimedContact {
   arith::IsolatedRoot time;
   Feature a, b;
 };
 
 /// Of finite coordinates, and a separation that is not negative.
-std::optional<ExactContact> exact_first_contact(MovingKind kind, std::span<const Point3, 4> at_0,
+std::optional<TimedContact> exact_first_contact(MovingKind kind, std::span<const Point3, 4> at_0,
                                                 std::span<const Point3, 4> at_1, double separation);
 
 /// Of points and a separation on a lattice, as integers.
-std::optional<ExactContact> exact_first_contact(MovingKind kind, const FourMoving& points, const mpz_class& separation);
+std::optional<TimedContact> exact_first_contact(MovingKind kind, const FourMoving& points, const mpz_class& separation);
 
 }  // namespace plumb::query::moving

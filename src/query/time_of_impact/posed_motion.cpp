@@ -72,7 +72,7 @@ class PosedLattice {
 
 }  // namespace
 
-std::optional<ExactContact> posed_first_contact(const PosedQuestion& question, double separation) {
+std::optional<TimedContact> posed_first_contact(const PosedQuestion& question, double separation) {
   if (stay_apart(question, separation)) return {};
   std::array<std::array<Vec3<BigDyadic>, 2>, 4> images;
   PosedLattice lattice;

@@ -23,6 +23,6 @@ struct PosedQuestion {
 };
 
 /// Of finite numbers, the separation not negative.
-std::optional<ExactContact> posed_first_contact(const PosedQuestion& question, double separation);
+std::optional<TimedContact> posed_first_contact(const PosedQuestion& question, double separation);
 
 }  // namespace plumb::query::moving
