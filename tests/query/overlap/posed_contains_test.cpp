@@ -95,8 +95,7 @@ TEST(PosedContains, EllipsoidsInBoxes) {
   const Posed ellipsoid{Sphere3{{0, 0, 0}, 1}, pose};
   const auto held = [&](const Aabb3& box) {
     const Pose stays = identity_pose;
-    return query::posed_contains({query::view_of(box), &stays},
-                                 {query::view_of(ellipsoid.shape), &ellipsoid.pose});
+    return query::posed_contains({query::view_of(box), &stays}, {query::view_of(ellipsoid.shape), &ellipsoid.pose});
   };
   EXPECT_TRUE(held({{-4, -1, -2}, {6, 1, 2}}));
   EXPECT_FALSE(held({{-4, -1, -2}, {0x1.7ffffffffffffp+2, 1, 2}}));

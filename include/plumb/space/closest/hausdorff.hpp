@@ -32,9 +32,9 @@ namespace plumb {
 
 /// How near the answer is to be: of these the largest, which are guesses of what serves.
 struct HausdorffOptions {
-  double absolute = 0;        // what most - least may be,
-  double relative = 0x1p-10;  // or as a share of most,
-  double of_size = 0x1p-40;   // or of the meshes' extent, below which there is rounding alone
+  double absolute = 0;                // what most - least may be,
+  double relative = 0x1p-10;          // or as a share of most,
+  double of_size = 0x1p-40;           // or of the meshes' extent, below which there is rounding alone
   std::size_t most_pieces = 1 << 18;  // beyond a's triangles
   Execution execution = Execution::parallel;
   Progress progress = {};
