@@ -52,8 +52,7 @@ std::vector<ShotRow> rows(Types<Shapes...>) {
 bool hits_posed(const AnyFigure& ray, const AnyFigure& shape) {
   if (ray.row().dimension == 2) {
     const Pose2 pose{{{{0, 2}, {-2, 0}}}, {3, 0}};
-    return query::posed_first_hit_parameter("hits", {ray.view(), nullptr, &pose}, {shape.view(), nullptr, &pose})
-        .has_value();
+    return query::posed_first_hit_parameter("hits", {ray.view(), &pose}, {shape.view(), &pose}).has_value();
   }
   const Pose pose{{{{0, 2, 0}, {-2, 0, 0}, {0, 0, 2}}}, {3, 0, -1}};
   return query::posed_first_hit_parameter("hits", {ray.view(), &pose}, {shape.view(), &pose}).has_value();

@@ -24,7 +24,7 @@ using query::NearestPair, query::WhichPair;
 
 struct Maker {
   FigureKind kind;
-  std::function<AnyFigure(Material&)> figure, near_figure;
+  std::function<certificate::AnyFigure(Material&)> figure, near_figure;
 };
 
 template <class... S>
@@ -90,7 +90,7 @@ void expect_certified(const std::vector<Maker>& makers, std::uint64_t start, std
     for (std::size_t j = i; j < makers.size(); ++j) {
       if (is_polygon_kind(makers[i].kind) || is_polygon_kind(makers[j].kind)) continue;
       shape_cases::on_shapes(start++, cases, [&](Material& m) {
-        const AnyFigure first = makers[i].figure(m), second = makers[j].near_figure(m);
+        const certificate::AnyFigure first = makers[i].figure(m), second = makers[j].near_figure(m);
         const FigureView &a = first.view, &b = second.view;
         const std::string name = name_of_pair(a, b, m);
         const FlatSet set_a = query::core_of(a), set_b = query::core_of(b);

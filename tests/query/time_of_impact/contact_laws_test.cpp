@@ -84,7 +84,7 @@ struct Motion {
     const Vector3 p{time * by_a.x, time * by_a.y, time * by_a.z}, q{time * by_b.x, time * by_b.y, time * by_b.z};
     if (a.row().dimension == 2) {
       const Pose2 of_a{{{{1, 0}, {0, 1}}}, {p.x, p.y}}, of_b{{{{1, 0}, {0, 1}}}, {q.x, q.y}};
-      return query::relate_posed("test", {a.view(), nullptr, &of_a}, {b.view(), nullptr, &of_b});
+      return query::relate_posed("test", {a.view(), &of_a}, {b.view(), &of_b});
     }
     constexpr std::array<Vector3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const Pose of_a{axes, p}, of_b{axes, q};
@@ -100,7 +100,7 @@ struct Motion {
     if (a.row().dimension == 2) {
       const Pose2 pose{{{{0, 2}, {-2, 0}}}, {3, 0}};
       const Vector2 u{p.x, p.y}, v{q.x, q.y};
-      return tell({{a.view(), nullptr, &pose}, nullptr, &u}, {{b.view(), nullptr, &pose}, nullptr, &v});
+      return tell({{a.view(), &pose}, nullptr, &u}, {{b.view(), &pose}, nullptr, &v});
     }
     const Pose pose{{{{0, 2, 0}, {-2, 0, 0}, {0, 0, 2}}}, {3, 0, -1}};
     return tell({{a.view(), &pose}, &p}, {{b.view(), &pose}, &q});
