@@ -32,6 +32,7 @@ double largest_of(std::span<const double> numbers) {
 
 Rotation rounded_to_lattice(const std::array<double, 4>& q) {
   const double length = std::sqrt((q[0] * q[0] + q[1] * q[1]) + (q[2] * q[2] + q[3] * q[3]));
+  // A guess of the nearest one; the products by a power of two round nothing.
   const auto part = [&](std::size_t i) { return std::nearbyint(q[i] / length * 0x1p25) * 0x1p-25 + 0.0; };
   return {part(0), part(1), part(2), part(3)};
 }

@@ -17,6 +17,7 @@ Interval either_side(const Interval& x) {
   const double most = std::max(-x.lower, x.upper);
   return {-most, most};
 }
+/// A guess of where to end the series; what is left of it is enclosed.
 bool is_negligible(const Interval& x) { return std::max(-x.lower, x.upper) < 0x1p-60; }
 
 /// [lower, upper] 2^-bits; an operation moves its bounds outward to the next multiples.
@@ -53,6 +54,7 @@ WideInterval either_side(const WideInterval& x) {
   const mpz_class most = std::max<mpz_class>(-x.lower, x.upper);
   return {-most, most, x.bits};
 }
+/// A guess of where to end the series; what is left of it is enclosed.
 bool is_negligible(const WideInterval& x) { return x.lower > -16 && x.upper < 16; }
 
 template <class T>
