@@ -155,7 +155,8 @@ const std::map<std::string, std::string>& without_overload() {
       {"closest_point", "told by closest_points"},
       {"compare_distance", "a template over distance and exact_distance"},
       {"first_contact_span", "bounds of the time that first_contact tells"},
-      {"gjk_bounds", "a template over support_point"}};
+      {"gjk_bounds", "a template over support_point"},
+      {"maximize", "asked of a direction and halfspaces"}};
   return why;
 }
 

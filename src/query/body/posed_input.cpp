@@ -16,11 +16,11 @@ requires requires(const Matrix& by) { by.columns; }
 void require_pose(std::string_view function, const std::string& name, const Matrix* pose) {
   const std::string c0 = name + ".columns[0]", c1 = name + ".columns[1]", c2 = name + ".columns[2]",
                     t = name + ".translation";
-  const auto& [c, by] = *pose;
-  if constexpr (requires { by.z; }) {
-    require_finite_parts(function, {c0, c1, c2, t}, c[0], c[1], c[2], by);
+  const auto& c = pose->columns;
+  if constexpr (std::tuple_size_v<decltype(pose->columns)> == 3) {
+    require_finite_parts(function, {c0, c1, c2, t}, c[0], c[1], c[2], pose->translation);
   } else {
-    require_finite_parts(function, {c0, c1, t}, c[0], c[1], by);
+    require_finite_parts(function, {c0, c1, t}, c[0], c[1], pose->translation);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "query/contact/aim.hpp"
 
+#include <algorithm>
+
 #include "query/penetration/quick_axis.hpp"
 #include "query/separation/corner_search.hpp"
 #include "query/separation/proved_corners.hpp"

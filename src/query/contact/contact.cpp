@@ -1,5 +1,6 @@
 #include "plumb/query/contact/contact.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "arith/exact_number.hpp"

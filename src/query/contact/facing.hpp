@@ -9,6 +9,8 @@
 // Cost: of boxes some 100 operations; of polyhedra the faces about a vertex.
 #pragma once
 
+#include <algorithm>
+
 #include "arith/certain.hpp"
 #include "arith/sparse_vec.hpp"
 #include "query/body/weighted_pose.hpp"

@@ -34,7 +34,6 @@ Meeting met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& found) {
   std::uint32_t steps = 0;
   const Told told = quickly_told(a, b, found, steps);
   if (told == Told::apart) return Meeting::apart;
-  // Where they are apart, all corners of what is no polyhedron were asked.
   if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return Meeting::unsure;
   if (told == Told::meet) return found.simplex.size == 4 ? Meeting::overlap : Meeting::meet;
   if (!a.hull.is_given() || !b.hull.is_given()) return Meeting::unsure;
@@ -96,7 +95,10 @@ struct FigurePair {
 
   Meeting met() {
     const FigureView &p = view_of_a.figure, &q = view_of_b.figure;
-    return set(a, part_of_a, p, q) && set(b, part_of_b, q, p) ? met_at_once(a, b, found) : Meeting::unsure;
+    // A corner that is no number is the farthest one nowhere, and might never be asked.
+    const bool are_numbers = set(a, part_of_a, p, q) && set(b, part_of_b, q, p) && a.hull.is_finite_but_of_solid() &&
+                             b.hull.is_finite_but_of_solid();
+    return are_numbers ? met_at_once(a, b, found) : Meeting::unsure;
   }
 };
 

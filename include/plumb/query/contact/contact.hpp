@@ -33,7 +33,6 @@
 // corners of both, on integers as long as the exponents' span.
 #pragma once
 
-#include <algorithm>
 #include <compare>
 #include <optional>
 #include <vector>
@@ -82,7 +81,13 @@ class ContactCorners {
     }
     ++size_;
   }
-  friend bool operator==(const ContactCorners& p, const ContactCorners& q) { return std::ranges::equal(p, q); }
+  friend bool operator==(const ContactCorners& p, const ContactCorners& q) {
+    if (p.size() != q.size()) return false;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p[i] != q[i]) return false;
+    }
+    return true;
+  }
 
  private:
   std::array<ContactCorner, 8> few_;
