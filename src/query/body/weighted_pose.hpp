@@ -13,28 +13,27 @@
 #include <limits>
 #include <span>
 
+#include "figure/basic/pose_numbers.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/query/body/posed.hpp"
 #include "query/body/vectors.hpp"
 
 namespace plumb::query {
 
+/// figure/basic/pose_numbers.hpp has the numbers; here is what a question can leave out.
 template <class T>
-struct WeightedPose {
-  std::array<Vec3<T>, 3> columns{{{T(1.0), T(0.0), T(0.0)}, {T(0.0), T(1.0), T(0.0)}, {T(0.0), T(0.0), T(1.0)}}};
-  Vec3<T> translation{T(0.0), T(0.0), T(0.0)};
-  T weight{1.0};
+struct WeightedPose : figure::PoseNumbers<T> {
+  WeightedPose(figure::PoseNumbers<T> n = figure::pose_numbers<T>(identity_pose))
+      : figure::PoseNumbers<T>(std::move(n)) {}
+
   bool has_weight = false;  // other than one
   bool stands = false;      // whatever is posed
 
-  [[nodiscard]] Vec3<T> turned(const Vec3<T>& v) const {
-    return columns[0] * v.x + columns[1] * v.y + columns[2] * v.z;
-  }
   /// Times the weight.
-  [[nodiscard]] Vec3<T> image(const Vec3<T>& p) const { return stands ? p : turned(p) + translation; }
+  [[nodiscard]] Vec3<T> image(const Vec3<T>& p) const { return stands ? p : figure::PoseNumbers<T>::image(p); }
 };
 
-/// Running errors are carried through some operations alone; a link takes about eight in a row.
+/// Running errors hold through 2^11 operations in a row (arith/running_error.hpp), of which a link takes about eight.
 inline constexpr std::size_t few_links = 64;
 template <class T>
 inline constexpr bool knows_its_error =
@@ -42,28 +41,22 @@ inline constexpr bool knows_its_error =
   { x.sign() } -> std::same_as<Sign>;
 };
 
-/// Of the plane in the plane z = 0, and as it is along z.
+/// A turn of the plane turns the plane z = 0, and leaves z alone.
 inline Rotation rotation_of(const Rotation2& q) { return {q.w, 0, 0, q.z}; }
 inline Rotation rotation_of(const Rotation& q) { return q; }
 
 template <class T, class Turn>
 WeightedPose<T> weighted_turn(const Turn& turn) {
-  const auto& [w, x, y, z] = rotation_of(turn);
+  const Rotation q = rotation_of(turn);
   WeightedPose<T> r;
-  r.has_weight = true;
-  if (const auto m = exact_matrix(Rotation{w, x, y, z})) {
+  if (const auto m = exact_matrix(q)) {
     r.columns = {vector_of<T>(m->columns[0]), vector_of<T>(m->columns[1]), vector_of<T>(m->columns[2])};
     r.weight = T(m->weight);
     r.has_weight = m->weight != 1;
-    return r;
+  } else {
+    r = figure::turn_of(figure::quaternion<T>(q));
+    r.has_weight = true;
   }
-  const T ww = T(w) * T(w), xx = T(x) * T(x), yy = T(y) * T(y), zz = T(z) * T(z), two(2.0);
-  const T xy = two * (T(x) * T(y)), xz = two * (T(x) * T(z)), yz = two * (T(y) * T(z));
-  const T wx = two * (T(w) * T(x)), wy = two * (T(w) * T(y)), wz = two * (T(w) * T(z));
-  r.columns = {{{(ww + xx) - (yy + zz), xy + wz, xz - wy},
-                {xy - wz, (ww + yy) - (xx + zz), yz + wx},
-                {xz + wy, yz - wx, (ww + zz) - (xx + yy)}}};
-  r.weight = (ww + xx) + (yy + zz);
   return r;
 }
 
@@ -85,28 +78,21 @@ WeightedPose<T> weighted_links(std::span<const Rigid> links) {
       all = r;
       continue;
     }
-    all.translation = all.turned(r.translation) + (r.has_weight ? all.translation * r.weight : all.translation);
-    all.columns = {all.turned(r.columns[0]), all.turned(r.columns[1]), all.turned(r.columns[2])};
-    if (r.has_weight) all.weight = all.weight * r.weight;
-    all.has_weight = all.has_weight || r.has_weight;
+    const bool has_weight = all.has_weight || r.has_weight;
+    all = figure::composition<T>(all, r);
+    all.has_weight = has_weight;
   }
   return all;
 }
 
 template <class T>
 WeightedPose<T> weighted_pose(const PoseView& pose) {
-  const auto matrix = [](const auto& by) {
-    WeightedPose<T> r;
-    for (std::size_t k = 0; k < by.columns.size(); ++k) r.columns[k] = arith::vec<T>(by.columns[k]);
-    r.translation = arith::vec<T>(by.translation);
-    return r;
-  };
   return std::visit(
       [&]<class By>(const By& by) -> WeightedPose<T> {
         if constexpr (std::is_same_v<By, std::monostate>) {
           return weighted_links<T>(std::span<const RigidPose>());
         } else if constexpr (requires { by->columns; }) {
-          return matrix(*by);
+          return figure::pose_numbers<T>(*by);
         } else if constexpr (requires { by->links; }) {
           return weighted_links<T>(std::span(by->links));
         } else {
@@ -116,7 +102,7 @@ WeightedPose<T> weighted_pose(const PoseView& pose) {
       pose.by);
 }
 
-/// Of a rigid pose all lengths are kept.
+/// Does it keep all lengths, whatever its numbers?
 inline bool is_rigid(const PoseView& pose) { return pose.by.index() != 1 && pose.by.index() != 2; }
 
 }  // namespace plumb::query

@@ -9,7 +9,7 @@
 // Cost: some 60 to 120 operations.
 #pragma once
 
-#include "query/contact/common_part.hpp"
+#include "query/contact/clipped_features.hpp"
 
 namespace plumb::query::touching {
 
@@ -35,7 +35,7 @@ Vec<T> plane_normal(const View<T>& v, const Vec<T>& normal) {
     return normal * sparse_dot(e, e) - e * sparse_dot(e, normal);
   }
   const std::size_t n = v.size();
-  return sparse_cross(v.at[n / 3] - v.at[0], v.at[n - n / 3] - v.at[0]);
+  return sparse_cross(v.at(n / 3) - v.at(0), v.at(n - n / 3) - v.at(0));
 }
 
 template <class T>
@@ -46,16 +46,16 @@ class CornerPlaces {
 
   [[nodiscard]] CornerFractions<T> of(const Found& f) const {
     const T none(0.0);
-    const Vec<T>&p = a_.at[f.i], &q = b_.at[f.j];
+    const Vec<T>&p = a_.at(f.i), &q = b_.at(f.j);
     if (f.kind == CornerKind::both_vertices) {
       return {{p, normal_, none}, {q, normal_, none}, sparse_dot(normal_, normal_), sparse_dot(normal_, q - p)};
     }
     if (f.kind == CornerKind::vertex_of_b) {
-      const T height = sparse_dot(plane_a_, q - a_.at[0]);
+      const T height = sparse_dot(plane_a_, q - a_.at(0));
       return {{q, normal_, none - height}, {q, normal_, none}, sparse_dot(plane_a_, normal_), height};
     }
     if (f.kind == CornerKind::vertex_of_a) {
-      const T height = sparse_dot(plane_b_, b_.at[0] - p);
+      const T height = sparse_dot(plane_b_, b_.at(0) - p);
       return {{p, normal_, none}, {p, normal_, height}, sparse_dot(plane_b_, normal_), height};
     }
     const Vec<T> e = a_.edge(f.i), g = b_.edge(f.j), way = q - p, m = sparse_cross(e, g);

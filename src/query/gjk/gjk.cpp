@@ -131,7 +131,7 @@ std::optional<double> apart_at_once(const BodyView& a, const BodyView& b, const 
   return d;
 }
 
-/// Of a hull as given, in which a plane touches these corners; others lie in it where it `is_level`.
+/// A plane touches a hull as given in these corners; others of it lie in the plane where it `is_level`.
 std::optional<Feature> feature_of(const BodyView& v, const QuickHull& h, const NamedCorners& of, bool is_level) {
   if (is_level && (h.solid() == nullptr || of.size != 3)) return {};
   if (h.solid() != nullptr) return feature_of_mesh(*h.solid(), of.all());

@@ -50,7 +50,7 @@ struct NearestQuestion {
   NearestQuestion& operator=(const NearestQuestion&) = delete;
   ~NearestQuestion() = default;
 
-  /// Of one number of corners as of another.
+  /// Asks the question that is made for the number of corners that were found.
   template <template <int> class Ask>
   [[gnu::always_inline]] auto asked() const {
     const std::size_t size = found.proved.corners.size;
@@ -161,7 +161,7 @@ QuickNearest held_by(const DifferenceCorners& corners) {
   return {{corners, true, false, {}, {}}, {}, {}, {0, 0, 0}, 1};
 }
 
-/// Of the bits of a mask those whose places among them `which` names.
+/// Keeps those bits of a mask whose places among its bits `which` names.
 unsigned part_of(unsigned mask, unsigned which) {
   unsigned part = 0;
   for (unsigned place = 0; mask != 0; mask &= mask - 1, ++place) {
@@ -170,8 +170,7 @@ unsigned part_of(unsigned mask, unsigned which) {
   return part;
 }
 
-/// Of what all but touches the nearest point is too near for doubles to tell its direction: the same search in
-/// double-doubles.
+/// The same search in double-doubles: where bodies all but touch, doubles do not tell the direction of the nearest point.
 class FineSearch {
  public:
   FineSearch(const QuickHull& a, const QuickHull& b) : a_(a), b_(b) {}

@@ -81,7 +81,7 @@ class AnyFigure {
                           pose_)};
   }
 
-  /// Of the same kind, the same numbers, and the same pose.
+  /// Are kind, numbers and pose the same?
   friend bool operator==(const AnyFigure& a, const AnyFigure& b);
 
  private:

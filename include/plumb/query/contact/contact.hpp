@@ -49,7 +49,7 @@ namespace plumb {
 struct ContactId {
   Feature a, b;
   friend constexpr bool operator==(const ContactId&, const ContactId&) = default;
-  /// By a's feature, then by b's: vertices before edges before faces, then by number.
+  /// Ids are ordered by a's feature, then by b's: vertices before edges before faces, then by number.
   friend constexpr std::strong_ordering operator<=>(const ContactId& p, const ContactId& q) {
     if (const auto order = p.a.kind <=> q.a.kind; order != 0) return order;
     if (const auto order = p.a.index <=> q.a.index; order != 0) return order;

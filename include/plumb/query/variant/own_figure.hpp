@@ -71,7 +71,7 @@ auto of_seen(std::string_view function, const A& a, const B& b, const F& f) {
   const auto& y = seen(function, b);
   return f(rounded_view(x), rounded_view(y));
 }
-/// Of questions that take no radius.
+/// Such questions take no radius.
 template <class A, class B, class F>
 auto of_kinds(std::string_view function, const A& a, const B& b, const F& f) {
   return of_seen(function, a, b, [&](const RoundedView& x, const RoundedView& y) {

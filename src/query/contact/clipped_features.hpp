@@ -11,30 +11,9 @@
 
 namespace plumb::query::touching {
 
-/// Values over any number type, up to eight without allocation.
-template <class V>
-class Row {
- public:
-  void push_back(const V& v) {
-    if (size_ < few_.size()) {
-      few_[size_] = v;
-    } else {
-      many_.push_back(v);
-    }
-    ++size_;
-  }
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] const V& operator[](std::size_t i) const { return i < few_.size() ? *few_[i] : many_[i - few_.size()]; }
-
- private:
-  std::array<std::optional<V>, 8> few_;
-  std::vector<V> many_;
-  std::size_t size_ = 0;
-};
-
 enum class CornerKind : unsigned char { vertex_of_a, vertex_of_b, both_vertices, edges };
 
-/// By places in the lists of Facing: vertices, or the first ends of edges.
+/// i and j are places in the lists of Facing: of vertices, or of the first ends of edges.
 struct Found {
   CornerKind kind;
   Index i, j;
@@ -47,14 +26,15 @@ template <class T>
 struct View {
   const Seen& seen;
   const Facing& f;
-  Row<Vec<T>> at;
+  parting::ShortList<std::optional<Vec<T>>, 8> places;  // many a number type has no value to begin with
 
   View(const Seen& s, const Facing& facing) : seen(s), f(facing) {
-    for (const Index i : f.corners) at.push_back(s.core.at<T>(i));
+    for (const Index i : f.corners) places.push_back(s.core.at<T>(i));
   }
   [[nodiscard]] std::size_t size() const { return f.corners.size(); }
+  [[nodiscard]] const Vec<T>& at(std::size_t i) const { return *places[i]; }
   [[nodiscard]] std::size_t edges() const { return f.edges.size(); }
-  [[nodiscard]] Vec<T> edge(std::size_t i) const { return at[i + 1 == size() ? 0 : i + 1] - at[i]; }
+  [[nodiscard]] Vec<T> edge(std::size_t i) const { return at(i + 1 == size() ? 0 : i + 1) - at(i); }
   [[nodiscard]] Feature vertex(std::size_t i) const { return surface_feature(seen, FeatureKind::vertex, f.corners[i]); }
 };
 
@@ -66,13 +46,13 @@ class Sides {
       : lines_(of.size() == 2 ? 3 : of.edges()), vertices_(other.size()), is_segment_(of.size() == 2) {
     for (std::size_t l = 0; l < of.edges(); ++l) {
       const Vec<T> inward = sparse_cross(out, of.edge(l));
-      for (std::size_t j = 0; j < vertices_; ++j) sign_.push_back(ask(sparse_dot(inward, other.at[j] - of.at[l])));
+      for (std::size_t j = 0; j < vertices_; ++j) sign_.push_back(ask(sparse_dot(inward, other.at(j) - of.at(l))));
     }
     if (of.size() != 2) return;
     const Vec<T> along = sparse_cross(sparse_cross(out, of.edge(0)), out);
     for (std::size_t end = 0; end < 2; ++end) {
       for (std::size_t j = 0; j < vertices_; ++j) {
-        const Sign s = ask(sparse_dot(along, other.at[j] - of.at[end]));
+        const Sign s = ask(sparse_dot(along, other.at(j) - of.at(end)));
         sign_.push_back(end == 0 ? s : -s);
       }
     }
