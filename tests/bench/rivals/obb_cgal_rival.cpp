@@ -1,5 +1,4 @@
 // CGAL's smallest oriented box.
-#define CGAL_EIGEN3_ENABLED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/optimal_bounding_box.h>
 
