@@ -42,8 +42,8 @@ struct Guess {
 /// In doubles: the axis of the least overlap, or of the largest gap; of some that are nearly equal the first.
 Guess guessed(const EdgeSum& sum, const SumParts<double>& parts) {
   constexpr double nearly = 1e-9;
-  Guess best;
-  double least = std::numeric_limits<double>::infinity();
+  std::optional<Guess> best;
+  double least = 0;
   const auto size = static_cast<std::uint32_t>(sum.groups());
   const auto is_of_one = [&](std::uint32_t i, std::uint32_t j) { return sum.first_of(i).body == sum.first_of(j).body; };
   for (const bool faces : {true, false}) {
@@ -54,11 +54,11 @@ Guess guessed(const EdgeSum& sum, const SumParts<double>& parts) {
         const double lengths = sparse_dot(parts.group[i], parts.group[i]) * sparse_dot(parts.group[j], parts.group[j]);
         if (!(a.square > nearly * lengths)) continue;
         const double overlap = a.overlap / std::sqrt(a.square);
-        if (overlap < least - nearly * std::fabs(least)) least = overlap, best = {i, j};
+        if (!best || overlap < least - nearly * std::fabs(least)) least = overlap, best = Guess{i, j};
       }
     }
   }
-  return best;
+  return best.value_or(Guess{});
 }
 
 /// The groups over the number types that doubles make, pairs of them when they are first asked for.
