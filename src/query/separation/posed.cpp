@@ -9,6 +9,7 @@
 #include "query/convex/posed_radius.hpp"
 #include "query/overlap/polygon_relation.hpp"
 #include "query/separation/cores.hpp"
+#include "query/separation/edge_sums.hpp"
 #include "query/separation/quick.hpp"
 #include "query/separation/told_pair.hpp"
 
@@ -37,6 +38,7 @@ struct SeenUnderPose {
 }  // namespace
 
 Closest posed_closest_points(const PosedView& a, const PosedView& b) {
+  if (const auto c = closest_of_sums(a, b)) return *c;
   if (const auto quick = QuickPair::of(a, b)) {
     if (const auto c = quick->closest(a.figure, b.figure)) return *c;
   }

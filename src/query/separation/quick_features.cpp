@@ -10,9 +10,10 @@ namespace {
 
 constexpr Feature numbered(FeatureKind kind, std::size_t i) { return {kind, static_cast<std::uint32_t>(i)}; }
 
-/// Of a box or rectangle: `along` are the ways that lead along the feature.
-std::optional<Feature> feature_along(std::size_t ways, std::uint32_t corner, std::uint64_t along) {
+/// Of a box, rectangle, segment or point: `along` are the ways that lead along the feature.
+Feature feature_along(std::size_t ways, std::uint32_t corner, std::uint64_t along) {
   if (along == 0) return numbered(FeatureKind::vertex, corner);
+  if (ways == 1) return numbered(FeatureKind::edge, 0);
   if (ways == 2) {
     if (along == 3) return numbered(FeatureKind::face, 0);
     const std::uint32_t u = along == 1 ? 0 : 1;
@@ -98,6 +99,10 @@ std::optional<Feature> feature_of_mesh(const ConvexPolyhedron3& solid, std::span
   };
   if (!around_vertex(solid, of[0], see) || found == m.corners.size()) return {};
   return numbered(of.size() == 3 ? FeatureKind::face : FeatureKind::edge, found);
+}
+
+Feature feature_of_sum(const FigureView& figure, std::size_t edges, std::uint32_t corner, std::uint32_t along) {
+  return on_surface(figure, feature_along(edges, corner, along));
 }
 
 std::optional<Feature> feature_of_corners(const FigureView& figure, const CoreCorners& c,

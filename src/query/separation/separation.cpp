@@ -9,6 +9,7 @@
 #include "query/convex/search.hpp"
 #include "query/separation/aligned_boxes.hpp"
 #include "query/separation/cores.hpp"
+#include "query/separation/edge_sums.hpp"
 #include "query/separation/quick.hpp"
 #include "query/separation/told_pair.hpp"
 
@@ -63,6 +64,7 @@ Closest closest_points_of(const FigureView& a, const FigureView& b) {
     };
     return {told(f->on_a), told(f->on_b), distance(f->on_a, f->on_b), feature(f->a, f->on_a), feature(f->b, f->on_b)};
   }
+  if (const auto c = closest_of_sums({a}, {b})) return *c;
   if (const auto c = closest_by_search(a, b)) return *c;
   std::optional<NearestPair> known;
   if (const auto quick = QuickPair::of(a, b)) {
@@ -84,6 +86,7 @@ double distance_at(const FigureAt& a, const FigureAt& b, std::string_view functi
 
 double distance_of(const FigureView& a, const FigureView& b, Question question) {
   if (const auto f = facing_points(a, b)) return distance(f->on_a, f->on_b);
+  if (const auto d = distance_of_sums({a}, {b})) return *d;
   if (const auto d = distance_by_search(a, b)) return *d;
   return distance_at(a, b, name_of(question));
 }
