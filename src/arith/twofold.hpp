@@ -134,6 +134,14 @@ struct Twofold {
     return {q, r, most * q, larger(a.error + 6 * w, w * w) * (1 + 8 * slack), w * (1 + slack)};
   }
 
+  /// The same with this error and the width of a sum of two: its own size is the magnitude, where the terms were not so
+  /// much larger that the error is greater than that.
+  [[nodiscard]] [[gnu::always_inline]] inline Twofold renewed(double to_error) const {
+    const Rounded s = two_sum(high, low);
+    const double needed = plus_product(guard, error * (1 + slack) / to_error, magnitude);
+    return {s.value, s.error, larger(magnitude_of(s.value), needed), to_error, 1};
+  }
+
   /// The high part alone.
   [[nodiscard]] constexpr Approximate plain() const { return {high, magnitude, width + error * 0x1p-50}; }
 

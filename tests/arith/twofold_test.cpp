@@ -75,6 +75,7 @@ void run_chains(std::uint64_t start) {
           ASSERT_TRUE((low < 0 || low * low <= exact) && high * high >= exact);
         }
       }
+      if (entropy.below(4) == 0) x = x.renewed(std::ldexp(1, static_cast<int>(entropy.below(40))));
       ASSERT_TRUE(holds(x, exact));
       ASSERT_TRUE(holds(y, exact));
       if (const auto nearest = x.nearest()) {

@@ -1,8 +1,8 @@
 // How long do the distance and the closest points of an arm's links take under rigid poses?  Ours, exact, and FCL's in
 // doubles; capsules and boxes in pairs that are apart, and the same without poses.
 //
-// Classes: ten pairs of an arm (four of two capsules, four of a capsule and a box, two of boxes) at once; and each kind of
-// pair by itself, under poses on the lattice of turns and as it stands.
+// Classes: ten pairs of an arm (four of two capsules, four of a capsule and a box, two of boxes) at once, under poses on the
+// lattice of turns and under chains of three of them; and each kind of pair by itself, under such a pose and as it stands.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -108,8 +108,8 @@ BENCHMARK(capsule_box_standing);
 BENCHMARK(boxes_posed);
 BENCHMARK(boxes_standing);
 
-void arm(benchmark::State& state) {
-  const auto& [links, boxes] = scene();
+template <class Links, class Boxes>
+void measure_arm(benchmark::State& state, const Links& links, const Boxes& boxes) {
   std::size_t i = 0;
   for (auto _ : state) {
     for (std::size_t k = 0; k < 4; ++k) {
@@ -120,7 +120,22 @@ void arm(benchmark::State& state) {
     i = (i + 1) % (Scene::count - 5);
   }
 }
+void arm(benchmark::State& state) { measure_arm(state, scene().links, scene().boxes); }
+/// At the same places.
+template <class A>
+auto all_chained(const std::vector<A>& posed) {
+  std::vector<Posed<std::remove_cvref_t<decltype(posed[0].shape)>, RigidChain>> all;
+  const Rotation forth{1, 0.5, 0.25, 0}, back{1, -0.5, -0.25, 0};
+  for (const A& p : posed) all.push_back({p.shape, {{{forth, {0, 0, 0}}, {back, {0, 0, 0}}, p.pose}}});
+  return all;
+}
+void arm_of_chains(benchmark::State& state) {
+  const auto links = all_chained(scene().links);
+  const auto boxes = all_chained(scene().boxes);
+  measure_arm(state, links, boxes);
+}
 BENCHMARK(arm);
+BENCHMARK(arm_of_chains);
 
 #ifdef PLUMB_BENCH_RIGID_RIVAL
 fcl::Transform3d transform_of(const RigidPose& pose) {

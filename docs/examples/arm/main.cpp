@@ -6,6 +6,7 @@
 // and always meet, so that they are no pair.
 #include <cstdio>
 #include <numbers>
+#include <plumb/figure.hpp>
 #include <plumb/query.hpp>
 #include <variant>
 #include <vector>
@@ -37,7 +38,7 @@ const std::vector<Part> parts{
     {"wrist", 4, Aabb3{{-0.05, -0.05, 0}, {0.05, 0.05, 0.12}}},
     {"hand", 6, Aabb3{{-0.09, -0.03, 0}, {0.09, 0.03, 0.15}}},
     {"table", 0, Aabb3{{-1, -1, -0.05}, {1, 1, 0}}},
-    {"post", 0, Capsule3{{0.55, 0.4, 0}, {0.55, 0.4, 1.2}, 0.04}},
+    {"post", 0, Capsule3{{0.75, 0.3, 0}, {0.75, 0.3, 1.2}, 0.04}},
 };
 constexpr std::array<std::array<std::size_t, 2>, 10> pairs{
     {{0, 2}, {0, 3}, {0, 4}, {1, 3}, {1, 4}, {2, 4}, {2, 5}, {3, 5}, {4, 5}, {4, 6}}};

@@ -5,6 +5,7 @@
 #include "arith/vec.hpp"
 #include "plumb/certify/accepted.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/body/weighted_pose.hpp"
 
 namespace plumb::query {
 
@@ -13,13 +14,14 @@ void EdgeSum::take_edge(const Vector3& axis, const Vector3& begin, const Vector3
 }
 
 template <class Shape>
-bool EdgeSum::take(const Shape& s, bool stands) {
+bool EdgeSum::take(const Shape& s) {
   if (!is_sound(s) || is_nothing(s)) return false;
   constexpr FigureKind kind = figure_kind<Shape>;
   const auto as_vector = [](const Point3& p) { return Vector3{p.x, p.y, p.z}; };
   const auto opposite = [](const Vector3& v) { return Vector3{-v.x, -v.y, -v.z}; };
   /// The ends of what is twice the middle; where it stands they are seen from the first.
   const auto take_middle = [&](const Point3& p, const Point3& q) {
+    const bool stands = form == PoseForm::none;
     to = as_vector(q), from = stands ? as_vector(p) : opposite(as_vector(p));
     if (stands) at = as_vector(p);
   };
@@ -54,22 +56,40 @@ bool EdgeSum::take(const Shape& s, bool stands) {
   return radius >= 0;
 }
 
-bool EdgeSum::set(const PosedView& v) {
-  if (v.figure.dimension != 3) return false;
-  if (!v.pose.stands()) {
-    const auto* rigid = std::get_if<const RigidPose*>(&v.pose.by);
-    const auto* chain = std::get_if<const RigidChain*>(&v.pose.by);
-    if (chain != nullptr && (*chain)->links.size() != 1) return false;
-    if (rigid == nullptr && chain == nullptr) return false;
-    const RigidPose& pose = rigid != nullptr ? **rigid : (*chain)->links.front();
-    const auto m = exact_matrix(pose.turn);
-    if (!m) return false;
-    columns = m->columns, weight = m->weight, at = pose.translation, is_turned = true;
-  } else {
+bool EdgeSum::take_pose(const RigidPose& by) {
+  const auto m = exact_matrix(by.turn);
+  if (!m) return false;
+  form = PoseForm::doubles, columns = m->columns, weight = m->weight, at = by.translation;
+  return true;
+}
+
+bool EdgeSum::take_pose(const PoseView& by) {
+  const auto* chain = std::get_if<const RigidChain*>(&by.by);
+  if (by.stands() || (chain != nullptr && (*chain)->links.empty())) {
     columns = {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};
+    return true;
   }
+  const auto* rigid = std::get_if<const RigidPose*>(&by.by);
+  if (chain != nullptr) {
+    if ((*chain)->links.size() == 1 && take_pose((*chain)->links.front())) return true;
+    if (!is_sound(**chain)) return false;
+  } else {
+    if (rigid == nullptr) return false;
+    if (take_pose(**rigid)) return true;
+    if (!is_sound(**rigid)) return false;
+  }
+  const auto about = weighted_pose<double>(by);
+  const auto vector = [](const arith::Plain& v) { return Vector3{v.x, v.y, v.z}; };
+  form = PoseForm::other, pose = by, weight = about.weight;
+  columns = {vector(about.columns[0]), vector(about.columns[1]), vector(about.columns[2])};
+  at = vector(about.translation * (1 / weight));
+  return true;
+}
+
+bool EdgeSum::set(const PosedView& v) {
+  if (v.figure.dimension != 3 || !take_pose(v.pose)) return false;
   const auto take_as = [&]<class Shape>(std::type_identity<Shape>) {
-    return take(*static_cast<const Shape*>(v.figure.shape), !is_turned);
+    return take(*static_cast<const Shape*>(v.figure.shape));
   };
   switch (v.figure.kind) {
     case FigureKind::point:
@@ -100,7 +120,7 @@ class FaceSearch {
  public:
   FaceSearch(const EdgeSum& a, const EdgeSum& b) : of_a_(a.size), size_(a.size + b.size) {
     const auto turned = [](const EdgeSum& s, const Plain& v) {
-      if (!s.is_turned) return v;
+      if (s.form == PoseForm::none) return v;
       const auto& c = s.columns;
       return Plain{c[0].x * v.x + c[1].x * v.y + c[2].x * v.z, c[0].y * v.x + c[1].y * v.y + c[2].y * v.z,
                    c[0].z * v.x + c[1].z * v.y + c[2].z * v.z};

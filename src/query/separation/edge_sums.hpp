@@ -6,8 +6,7 @@
 // face is guessed in doubles and proved by pairs of doubles, of which every number of the body is made once.  What the poses
 // translate is taken from one another first, so that nothing grows with the way from the origin.
 // Laws: what is told is so, and every number the nearest double of the exact one (Ziv's test).  Of nearest pairs that are the
-// only ones, where each edge at an end leads away strictly; else nothing, and nothing of what is no figure, of a quaternion
-// that is none of the lattice, and of a chain of several links.
+// only ones, where each edge at an end leads away strictly; else nothing, and nothing of what is no figure.
 // Source: Lawson and Hanson 1974 (least squares within bounds); RTCD 4.4, 5.1.9.
 // Cost: docs/rigid_motion.md.
 #pragma once
@@ -21,6 +20,9 @@
 
 namespace plumb::query {
 
+/// What there is of a pose: nothing, a matrix of doubles over a weight, or numbers that doubles do not hold.
+enum class PoseForm : std::uint8_t { none, doubles, other };
+
 /// The numbers of a core, as given: twice its corners are 2 at + columns (to - from +- the edges) / weight.
 struct EdgeSum {
   /// In each coordinate `axis` (to - from).
@@ -33,16 +35,19 @@ struct EdgeSum {
   std::uint32_t size = 0;
   std::uint32_t all = 0;  // and how many the figure has
   double radius = 0;
-  bool is_turned = false;
-  std::array<Vector3, 3> columns;
+  PoseForm form = PoseForm::none;
+  std::array<Vector3, 3> columns;  // about these, as `at`, of the pose that is of other numbers
   double weight = 1;
+  PoseView pose;
 
   /// False where it is none.
   bool set(const PosedView& v);
 
  private:
   template <class Shape>
-  bool take(const Shape& s, bool stands);
+  bool take(const Shape& s);
+  bool take_pose(const PoseView& pose);
+  bool take_pose(const RigidPose& pose);
   void take_edge(const Vector3& axis, const Vector3& begin, const Vector3& end);
 };
 
@@ -53,6 +58,14 @@ struct EdgeFace {
 
 /// A guess; nothing where they are likely to meet or have parallel edges.
 std::optional<EdgeFace> guessed_face(const EdgeSum& a, const EdgeSum& b);
+
+struct SumNumbers {
+  double distance = 0;
+  Point3 on_a{}, on_b{};
+};
+/// What is nearest, where it is on this face, which may be any; without `points` the distance alone, and 0 where radii reach
+/// farther.
+std::optional<SumNumbers> nearest_on(const EdgeSum& a, const EdgeSum& b, const EdgeFace& face, bool points);
 
 std::optional<Closest> closest_of_sums(const PosedView& a, const PosedView& b);
 std::optional<double> distance_of_sums(const PosedView& a, const PosedView& b);
