@@ -80,7 +80,7 @@ int main() {
   std::puts("elbow  nearest pair        distance");
   int tightest = 0;
   double least = 10;
-  for (int elbow = 20; elbow <= 120; elbow += 20) {
+  for (int elbow = 20; elbow <= 100; elbow += 20) {
     const Posture p = posture(elbow);
     double nearest = 10;
     std::array<std::size_t, 2> which{};

@@ -78,7 +78,7 @@ RigidCase random_pose(Material& m, double far) {
   const auto number = [&] { return static_cast<double>(m.below(1 << 26)) * 0x1p-25 - 1; };
   const RigidPose pose{{number(), number(), number(), number()},
                        {far + 2 * number(), 2 * number() - far, 2 * number()}};
-  if (m.below(2) != 0) return {pose, flat_of(pose)};
+  if (far > 1e6 || m.below(2) != 0) return {pose, flat_of(pose)};
   RigidChain chain{{pose}};
   for (auto n = m.below(4); n > 0; --n) chain.links.push_back({{0.1, number(), number(), 0.3}, {number(), 0, 0}});
   return {chain, RigidChain2{}};
@@ -123,7 +123,7 @@ TEST(EdgeSums, MostInGeneralPositionAreTold) {
       const bool stands = far == 0 && m.below(4) == 0;
       expect_exact(seen(s, stands ? nullptr : &by_s), seen(t, stands ? nullptr : &by_t), counts, m.about());
     });
-    EXPECT_GT(counts.told * 10, counts.asked * 7) << far;  // many of the others meet
+    EXPECT_GT(counts.told * 20, counts.asked * 19) << far;  // many of the others meet
   }
 }
 

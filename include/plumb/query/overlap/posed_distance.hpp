@@ -10,7 +10,8 @@
 // Round figures take rigid poses, and those whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
 // else.  An empty figure throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.1.
-// Cost: rationals: some 20 us for a point and a triangle, of polygons times the square of their corners.  Bounded by
+// Cost: boxes, capsules and balls under rigid poses 0.4 us, under a chain 0.5 us a link more; polyhedra some microseconds;
+// rationals else: some 20 us for a point and a triangle, of polygons times the square of their corners.  Bounded by
 // n^2 pairs of features, on integers as long as the exponents' span.
 #pragma once
 
