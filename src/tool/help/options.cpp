@@ -47,17 +47,23 @@ int write_pages(const fs::path& folder, const CLI::App& program, Manual (*of_pro
   for (const ShellScript& s : shell_scripts)
     pages.emplace_back(s.place(name), s.script(name, shapes_of(program, commands)));
   std::vector<PathAndText> files;
+  std::vector<fs::path> folders;
+  const auto add_parents = [&folders](const fs::path& file) {
+    fs::path parent;
+    for (const fs::path& step : file.parent_path()) folders.push_back(parent /= step);
+  };
   for (const auto& [place, text] : pages) {
-    std::error_code error;
-    fs::create_directories((folder / place).parent_path(), error);
-    if (error)
-      throw Error(
-          fmt::format("cannot write into {}: {}", printable((folder / place).parent_path().string()), error.message()));
     files.push_back({folder / place, text});
+    add_parents(files.back().path);
+  }
+  for (const fs::path& parent : folders) {
+    std::error_code error;
+    if (fs::exists(parent, error) && !fs::is_directory(parent, error))
+      throw Error(fmt::format("cannot write into {}: it is no folder", printable(parent.string())));
   }
   say(fmt::format("{} files in {}\n", files.size(), printable(folder.string())));
   flush_output();
-  keep_files(files);
+  keep_files(files, folders);
   return 0;
 }
 

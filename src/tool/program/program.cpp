@@ -154,7 +154,7 @@ int leave_with_reader() {
 
 int run_program(const ProgramFacts& facts, int argc, char** argv) try {
   be_named(facts.name);
-  end_without_memory(argc, argv);
+  end_without_memory(facts.name, argc, argv);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is learned of where output is written, not by sudden death
   std::signal(SIGXFSZ, SIG_IGN);  // and so of a file that may not grow so large (ulimit -f)
   Program program(facts);
