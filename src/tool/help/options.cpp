@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 struct HelpOptions {
   Manual (*of_program)();
+  std::string (*instead)(const std::string& word);
   std::string command{};
   bool roff = false;
   std::optional<std::string> pages{};  // a folder such as /usr/share
@@ -72,8 +73,10 @@ int run_help(const HelpOptions& o, const CLI::App& program, const std::vector<Co
   const auto named =
       std::ranges::find_if(commands, [&](const Command& c) { return c.parser->get_name() == o.command; });
   if (!o.command.empty() && named == commands.end()) {
+    const std::string other = o.instead(o.command);
     throw Error(fmt::format("there is no command {}{}; '{} help' lists them", printable(o.command),
-                            suggestion(o.command, names_of(commands)), program.get_name()));
+                            other.empty() ? suggestion(o.command, names_of(commands)) : ": " + other,
+                            program.get_name()));
   }
   const Command* const command = o.command.empty() ? nullptr : &*named;
   if (o.roff) {
@@ -92,8 +95,9 @@ void show_page(const CLI::App& program, const Command* command, Manual (*of_prog
                          : manual_page(of_program(), shown_options(program), style));
 }
 
-Command help_command(CLI::App& program, const Commands& commands, Manual (*of_program)()) {
-  const auto options = std::make_shared<HelpOptions>(HelpOptions{of_program});
+Command help_command(CLI::App& program, const Commands& commands, Manual (*of_program)(),
+                     std::string (*instead)(const std::string& word)) {
+  const auto options = std::make_shared<HelpOptions>(HelpOptions{of_program, instead});
   CLI::App* const parser = program.add_subcommand("help", "Show the page of a command.");
   parser->add_option("COMMAND", options->command, "Whose page; the program's when not given.");
   CLI::Option* const roff = parser->add_flag("--roff", options->roff, "Print the page as source for man(1).");

@@ -21,7 +21,7 @@ namespace {
 class Program {
  public:
   explicit Program(const ProgramFacts& facts) : facts_(facts), app_("", facts.name), commands_(facts.commands(app_)) {
-    commands_.push_back(help_command(app_, known_, facts.manual));
+    commands_.push_back(help_command(app_, known_, facts.manual, facts.instead));
     commands_.push_back(completion_command(app_, known_));
     app_.require_subcommand(0, 1);  // once there is a command, the next word is no other, but may be a file of its name
     add_common_options(app_);
