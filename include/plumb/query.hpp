@@ -1,7 +1,8 @@
 // The face of questions about two figures: whether, what in common, how near, what first, and when?
 //
-// Answers are exact; where a number is given it is the true one, rounded once.  Which pairs a question takes is a table
-// of query/body/, and docs/overlap.md, closest.md, intersection.md, rays.md, motion.md and figures.md print it.
+// Answers are exact; where a number is given it is the true one, rounded once, a time of contact down; where bounds are
+// asked for (gjk_bounds, penetration_bounds, first_contact_span), they hold it.  Which pairs a question takes is a table of
+// query/body/, and docs/overlap.md, closest.md, intersection.md, rays.md, motion.md and figures.md print it.
 // Apart: kinds of questions, on which other people's functions are tried (query/kinds/kinds.hpp).
 // Source: RTCD 2.3.
 #pragma once

@@ -62,6 +62,10 @@ template <class T>
 constexpr bool certainly_zero(const T& x) {
   if constexpr (std::same_as<decltype(x.sign()), Sign>) {
     return x.sign() == Sign::zero;
+  } else if constexpr (requires { x.high, x.radius; }) {
+    return x.high == 0 && x.radius == 0;
+  } else if constexpr (requires { x.value, x.error; }) {
+    return x.value == 0 && x.error == 0;
   } else {
     return x.sign() == Unsure{Sign::zero};
   }

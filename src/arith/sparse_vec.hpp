@@ -2,7 +2,7 @@
 //
 // Numbers with an error bound know no product without one, for the sake of underflow.  A normal of boxes that stand
 // upright is made of zeros, and whether it is at right angles to an edge is decided by them.
-// Laws: the values of arith::dot and arith::cross; a bound is no larger.
+// Laws: the values of arith::dot, arith::cross and the product with a number; a bound is no larger.
 // Source: docs/proof.md.
 // Cost: two comparisons a product.
 #pragma once
@@ -20,6 +20,10 @@ template <class T>
     if (certainly_zero(a) || certainly_zero(b)) return T(0.0);
   }
   return a * b;
+}
+template <class T>
+[[gnu::always_inline]] inline Vec<T> sparse_scaled(const Vec<T>& v, const T& by) {
+  return {sparse_product(v.x, by), sparse_product(v.y, by), sparse_product(v.z, by)};
 }
 template <class T>
 [[gnu::always_inline]] inline T sparse_dot(const Vec<T>& a, const Vec<T>& b) {

@@ -136,6 +136,21 @@ TEST(QuestionPlaces, HitsTakesWhatFirstHitTakes) {
   }
 }
 
+// What first_contact takes, first_contact_time and intersects take: the same two, declared in the same header.  A mesh
+// that moves is asked which of its triangles meet (space/moving/).
+TEST(QuestionPlaces, WhatTakesFirstContactTakesItsTimeAndIntersects) {
+  std::map<std::string, std::set<std::string>> pairs;  // by function
+  for (const Overload& o : all_overloads()) {
+    if (question_of(o) == "first_contact" && !o.header.starts_with("space/moving/"))
+      pairs[o.function].insert(o.header + ": " + o.first + ", " + o.second);
+  }
+  EXPECT_GT(pairs["first_contact"].size(), 10U);
+  for (const std::string& pair : pairs["first_contact"]) {
+    EXPECT_TRUE(pairs["first_contact_time"].contains(pair)) << pair;
+    EXPECT_TRUE(pairs["intersects"].contains(pair)) << pair;
+  }
+}
+
 std::string text_of_header(const std::string& header) {
   std::ifstream in(PLUMB_SOURCE_DIR "/include/plumb/" + header);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -36,7 +36,7 @@ TEST(Laboratory, WritesEveryTableAndPicture) {
     EXPECT_THAT(report().table,
                 HasSubstr(std::string(scene.at("experiment")) + ": " + std::string(scene.at("scene")) + ": "));
     for (const json& picture : scene.at("pictures")) {
-      const std::string file = picture.at("file");
+      const std::string file = picture.at("picture");
       EXPECT_TRUE(files.insert(file).second) << file;
       EXPECT_THAT(report().file(file), StartsWith("<svg"));
     }
@@ -58,9 +58,9 @@ TEST(Laboratory, FindsThatExactMethodsFailNothingAndThatOthersDo) {
     for (const json& scene : report().raw.at("scenes")) {
       bool has_exact = false;
       for (const json& method : scene.at("methods")) {
-        has_exact = has_exact || method.at("exact");
+        has_exact = has_exact || method.at("is_exact");
         for (const json& c : method.at("counts")) {
-          if (method.at("exact")) {
+          if (method.at("is_exact")) {
             EXPECT_EQ(c.at("failures"), 0) << scene.at("scene") << c;
           } else if (scene.at("experiment") == experiment) {
             others += c.at("failures").get<std::uint64_t>();

@@ -152,7 +152,22 @@ TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
                    {"repair a.obj", "'plumb check' says what is wrong"},
                    {"decompose a.obj", "'plumb convex'"},
                    {"simulate", "'plumb pairs'"}});
-  EXPECT_THAT(run("$PLUMB boolena").err, Not(HasSubstr("intersect")));
+  for (const auto& [words, what] : std::vector<std::pair<std::string, std::string>>{
+           {"booleans boolean-union Boolean unions difference subtract intersections csg", "solids are not united"},
+           {"offset thicken minkowski_sum", "meshes are not offset"},
+           {"repair mend fix fix_normals heal clean weld fill-holes simplify decimate remesh", "meshes are not mended"},
+           {"convex-decomposition convex_decomposition decompose parts V-HACD convex-parts", "not parted into convex"},
+           {"scenes simulation collide collisions physics", "scenes are not played"},
+           {"hulls convex-hull", "the library makes hulls"},
+           {"python", "no Python module"}}) {
+    std::istringstream each(words);
+    for (std::string word; each >> word;) {
+      expect_refusal(run("$PLUMB " + word + " a.obj"), "there is no command " + word + ": ");
+      EXPECT_THAT(run("$PLUMB help " + word).err, HasSubstr(what)) << word;
+    }
+  }
+  for (const std::string near : {"boolena", "intersec", "pari", "chek", "planes"})
+    EXPECT_THAT(run("$PLUMB " + near).err, Not(HasSubstr(" yet"))) << near;
 }
 
 TEST(Usage, TakesWhatOtherToolsTake) {

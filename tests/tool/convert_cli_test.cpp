@@ -104,6 +104,7 @@ TEST(Convert, RefusesWhatItCannotDo) {
            {(folder / "a.obj") + " " + (folder / "b.xyz"), "b.xyz"},
            {(folder / "a.obj") + " " + (folder / "no/b.ply"), "b.ply"},
            {(folder / "a.obj") + " -", "does not tell the format"},
+           {(folder / "missing.obj") + " -", "does not tell the format"},  // before anything is read
            {"--format dwg " + (folder / "a.obj") + " " + (folder / "b.obj"), "--format"}}) {
     const Outcome o = run("$PLUMB convert " + arguments);
     EXPECT_EQ(o.code, 2) << arguments;

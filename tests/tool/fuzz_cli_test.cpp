@@ -214,6 +214,16 @@ TEST(FuzzReport, HoldsTheSameAsTextJsonPictureAndPage) {
   EXPECT_FALSE(fs::exists(folder / "r/case-1.cpp"));
 }
 
+TEST(FuzzReport, ArrivesWithItsCorpusOrNeitherDoes) {
+  const Folder folder;
+  const std::string line = command("wrong", "naive_orient3d") + "--cases 60" + kFewGenerators + "--corpus " +
+                           (folder / "c") + " --out " + (folder / "r");
+  EXPECT_EQ(run(line + " >/dev/full").code, 2);
+  EXPECT_FALSE(fs::exists(folder / "c") || fs::exists(folder / "r"));
+  EXPECT_EQ(run(line).code, 1);
+  EXPECT_TRUE(fs::exists(folder / "c") && fs::exists(folder / "r/fuzz.json"));
+}
+
 TEST(FuzzReport, TakesTextInAnyEncoding) {
   const Folder folder;
   const Outcome o = run(command("throws", "latin_orient3d") + "--cases 1 --generator grid --out " + (folder / "r"));

@@ -1,11 +1,11 @@
-// Reports as JSON: every command that writes one writes what docs/plumb.schema.json says, on meshes that are closed and open,
-// meet and do not, on tables of boxes and points, with few options and with many; and a misspelt member is noticed.
+// Reports as JSON: every command of either program that writes one writes what docs/plumb.schema.json says, on meshes that are
+// closed and open, meet and do not, on tables of boxes and points, with few options and with many; and the schema notices each
+// member that is misspelt or of another kind.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -14,14 +14,11 @@
 namespace plumb::tool {
 namespace {
 
-using nlohmann::json;
-using testing::HasSubstr;
-
 const std::string schema = PLUMB_SOURCE_DIR "/docs/plumb.schema.json";
 
 /// Debian's Python has the validator: python3-jsonschema.
-Outcome validated(const std::string& files) {
-  return run("/usr/bin/python3 " PLUMB_SOURCE_DIR "/tests/tool/validate_report.py " + schema + " " + files);
+Outcome validated(const std::string& option, const std::string& files) {
+  return run("/usr/bin/python3 " PLUMB_SOURCE_DIR "/tests/tool/validate_report.py " + option + schema + " " + files);
 }
 
 /// A cube, one moved away, one that crosses the first, an open square, a flat sliver; boxes and points.
@@ -68,6 +65,30 @@ const std::map<std::string, std::vector<std::string>>& asked() {
   return all;
 }
 
+/// By command of either program, what writes a report into a folder.
+const std::map<std::string, std::vector<std::string>>& asked_of_folders() {
+  static const std::string ours = "$PLUMB fuzz --library " PLUMB_FOREIGN "/wrong.so --cases 60 --generator near_half ";
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"fuzz",
+       {ours + "--kind orient3d --symbol naive_orient3d --generator uniform",
+        ours + "--kind incircle --symbol naive_incircle --range 1000 --grid 1",
+        ours + "--kind point-in-polygon --symbol crossing_polygon"}},
+      {"chart",
+       {"$PLUMB_LAB chart --quick --task orient2d --task smallest-ball --class degenerate_long",
+        "$PLUMB_LAB chart --quick --task closest-hit --class vertices_and_edges"}},
+      {"stability", {"$PLUMB_LAB stability --quick --experiment sweeps --experiment grid"}},
+  };
+  return all;
+}
+
+/// Whether what the line wrote is as the schema says, and would not be if any of its members were misspelt.
+void expect_valid(const std::string& files) {
+  for (const std::string option : {"", "--misspell "}) {
+    const Outcome checked = validated(option, files);
+    EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
+  }
+}
+
 TEST(JsonSchema, SaysWhatEveryCommandWrites) {
   const Folder folder;
   put_inputs(folder);
@@ -82,44 +103,39 @@ TEST(JsonSchema, SaysWhatEveryCommandWrites) {
       ASSERT_LE(o.code, 1) << command << ' ' << arguments << ": " << o.err;
       files += file + ' ';
     }
-    const Outcome checked = validated(files);
-    EXPECT_EQ(checked.code, 0) << checked.out << checked.err;
+    expect_valid(files);
   }
 }
 
-// Every object of it: a member too many, one misspelt, one of another type.
-TEST(JsonSchema, RefusesWhatItDoesNotName) {
+TEST(JsonSchema, SaysWhatIsInEveryFolder) {
   const Folder folder;
-  put_inputs(folder);
-  for (const std::string command : {"intersect cube.obj crossing.obj --common", "nearest points.csv points.csv",
-                                    "section --plane z=0.5 cube.obj"}) {
-    const json right = json::parse(run("cd " + (folder / "") + " && $PLUMB " + command + " --json").out);
-    std::string files;
-    int made = 0;
-    const auto keep = [&](const json& wrong) {
-      const std::string file = folder / ("wrong" + std::to_string(made++) + ".json");
-      std::ofstream(file) << wrong;
-      files += file + ' ';
-    };
-    const json places = right.flatten();
-    for (const auto& at : places.items()) {
-      const json::json_pointer place(at.key()), around = place.parent_pointer();
-      if (!right.at(around).is_object()) continue;
-      json misspelt = right, other = right;
-      misspelt.at(around).erase(place.back());
-      misspelt.at(around)[place.back() + "_"] = at.value();
-      other[place] = json{{"nobody", 1}};
-      keep(misspelt);
-      keep(other);
+  int number = 0;
+  for (const std::string program : {"$PLUMB", "$PLUMB_LAB"}) {
+    if (program == "$PLUMB_LAB" && tested_laboratory().empty()) continue;
+    for (const std::string& command : commands(program)) {
+      const std::string page = run(program + " help " + command).out;
+      if (page.find("--out DIR") == std::string::npos || page.find(command + ".json") == std::string::npos) continue;
+      ASSERT_TRUE(asked_of_folders().contains(command)) << command << " writes JSON that nobody looks at here";
+      std::string files;
+      for (const std::string& line : asked_of_folders().at(command)) {
+        const std::string out = folder / std::to_string(number++);
+        const Outcome o = run(line + " -q --out " + out);
+        ASSERT_LE(o.code, 1) << line << ": " << o.err;
+        files += out + "/" + command + ".json ";
+      }
+      expect_valid(files);
     }
-    ASSERT_GT(made, 20);
-    const Outcome checked = validated(files);
-    EXPECT_EQ(checked.code, 1) << checked.err;
-    for (int i = 0; i < made; ++i)
-      EXPECT_THAT(checked.out, HasSubstr("wrong" + std::to_string(i) + ".json")) << command;
   }
+  EXPECT_GE(number, 3);
+}
+
+TEST(JsonSchema, RefusesWhatIsNoReport) {
+  const Folder folder;
   std::ofstream(folder / "nobody.json") << R"({"program": "plumb nobody"})";
-  EXPECT_EQ(validated(folder / "nobody.json").code, 1);
+  std::ofstream(folder / "nothing.json") << "{}";
+  std::ofstream(folder / "bare.json") << R"({"program": "plumb fuzz"})";
+  for (const std::string name : {"nobody.json", "nothing.json", "bare.json"})
+    EXPECT_EQ(validated("", folder / name).code, 1) << name;
 }
 
 }  // namespace

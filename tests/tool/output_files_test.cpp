@@ -254,6 +254,27 @@ TEST(Reports, LeaveOthersFilesAlone) {
   EXPECT_EQ(content(folder / "chart.txt") + content(folder / "c.svg") + content(folder / "notes.txt"), "twominemine");
 }
 
+TEST(Reports, ArriveWhereTheReaderOfStandardOutputLeft) {
+  const Folder folder;
+  put(folder / "part.obj", kTriangle);
+  // The reader is gone before the first word.
+  run("{ sleep 0.2; exec $PLUMB section --plane z=0 --out " + (folder / "r") + " " + (folder / "part.obj") +
+      "; } | true");
+  EXPECT_THAT(content(folder / "r/section-0001.svg"), StartsWith("<svg"));
+}
+
+TEST(Reports, NeedAFolder) {
+  const Folder folder;
+  put(folder / "part.obj", kTriangle);
+  put(folder / "file", "mine");
+  expect_refusal(run("$PLUMB section --plane z=0 " + (folder / "part.obj") + " --out " + (folder / "file")),
+                 "file: Not a directory");
+  expect_refusal(run("$PLUMB help --write-pages " + (folder / "file")), "cannot write into " + (folder / "file"));
+  run("$PLUMB help --write-pages " + (folder / "share") + " >/dev/full");
+  EXPECT_EQ(files_in(folder / ""), 2);
+  EXPECT_EQ(content(folder / "file"), "mine");
+}
+
 TEST(Reports, TrustNoListBeyondTheirFolder) {
   const Folder folder;
   fs::create_directories(folder / "r/deep");

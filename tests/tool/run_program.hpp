@@ -71,8 +71,8 @@ inline Outcome run(const std::string& line, const std::string& input = "") {
 }
 
 /// Every command, as the program tells them.
-inline std::vector<std::string> commands() {
-  const std::string told = run("$PLUMB").err, before = "one of ";
+inline std::vector<std::string> commands(const std::string& program = "$PLUMB") {
+  const std::string told = run(program).err, before = "one of ";
   std::vector<std::string> names;
   std::string name;
   for (const char c : told.substr(std::min(told.find(before) + before.size(), told.size()))) {

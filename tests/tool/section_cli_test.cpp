@@ -230,7 +230,7 @@ TEST(Section, RefusesWhatItCannotRead) {
            {mesh, "a --plane is needed"},
            {"--plane z=1", "one MESH is needed"},
            {"--plane z=1 " + mesh + " " + mesh, "one MESH is needed"},
-           {"--plane w=1 " + mesh, "'w=1' is not a decimal number"},
+           {"--plane w=1 " + mesh, "--plane w=1: the axis is x, y or z; a plane is z=HEIGHT,"},
            {"--plane z=0:1 " + mesh, "a range is start:stop:step"},
            {"--plane z=1:0:0.1 " + mesh, "ends at 0, below 1"},
            {"--plane z=0:1:-0.1 " + mesh, "is not positive"},

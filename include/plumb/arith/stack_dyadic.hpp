@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "plumb/arith/lattice.hpp"
 #include "plumb/arith/sign.hpp"
@@ -45,6 +46,9 @@ class StackDyadic {
   ~StackDyadic() = default;
 
   [[nodiscard]] Sign sign() const { return static_cast<Sign>(count_ == 0 ? 0 : negative_ ? -1 : 1); }
+  /// The magnitude is the sum of the limbs, least significant first, each 2^64 times that before, times 2^exponent.
+  [[nodiscard]] std::span<const std::uint64_t> limbs() const { return {limb_.data(), count_}; }
+  [[nodiscard]] int exponent() const { return exponent_; }
   static bool left_range() { return left_; }
   static void clear_range() { left_ = false; }
 

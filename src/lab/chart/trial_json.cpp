@@ -16,7 +16,7 @@ json json_of(const trial::Score& s, const trial::Trial& t) {
          {"wrong", s.wrong},
          {"unsure", s.unsure},
          {"inconsistent", s.inconsistent},
-         {"ns", s.ns},
+         {"query_ns", s.ns},
          {"allocations", s.allocations}};
   if (t.kind == trial::AnswerKind::number) {
     j["mean_ulps"] = s.mean_ulps;
@@ -43,7 +43,7 @@ json trials_json(std::span<const trial::Trial> trials, const trial::Settings& se
              {"methods", json::array()}};
     if (t.kind == trial::AnswerKind::decision)
       one["truths"] = {{"negative", t.truths[0]}, {"zero", t.truths[1]}, {"positive", t.truths[2]}};
-    for (const auto& [name, about] : t.tallies) one["tallies"].push_back({{"name", name}, {"about", about}});
+    for (const auto& [name, about] : t.tallies) one["tallies"].push_back({{"tally", name}, {"about", about}});
     for (const trial::Score& s : t.scores) one["methods"].push_back(json_of(s, t));
     j["trials"].push_back(std::move(one));
   }

@@ -1,9 +1,12 @@
 #include "lab/program/program.hpp"
 
+#include <algorithm>
+
 #include "lab/chart/command.hpp"
 #include "lab/stability/command.hpp"
 #include "lab/vectors/command.hpp"
 #include "tool/manual/help_text.hpp"
+#include "tool/manual/parsed_options.hpp"
 
 namespace plumb::lab {
 namespace {
@@ -45,8 +48,10 @@ plumb-lab chart --quick --task orient2d --class near_half
        The ways of deciding on which side of a line a point is.)"}}};
 }
 
-std::string nothing_instead(const std::string& word) {
-  return word == "check" || word == "plan" || word == "fuzz" || word == "sign" ? "that is a command of plumb" : "";
+std::string command_of_plumb(const std::string& word) {
+  CLI::App plumb;
+  const std::vector<std::string> names = names_of(plumb_facts().commands(plumb));
+  return std::ranges::find(names, word) != names.end() ? "that is a command of plumb" : "";
 }
 
 }  // namespace
@@ -56,7 +61,7 @@ ProgramFacts laboratory_facts(std::span<const trial::Rival> rivals) {
           [rivals](CLI::App& app) -> std::vector<Command> {
             return {chart_command(app, rivals), stability_command(app), vectors_command(app)};
           },
-          nothing_instead};
+          command_of_plumb};
 }
 
 }  // namespace plumb::lab

@@ -10,7 +10,7 @@ namespace {
 using nlohmann::json;
 
 json json_of(const stability::MethodOutcome& outcome) {
-  json j{{"method", outcome.method}, {"exact", outcome.exact}, {"counts", json::array()}};
+  json j{{"method", outcome.method}, {"is_exact", outcome.exact}, {"counts", json::array()}};
   for (const stability::Count& c : outcome.counts) {
     j["counts"].push_back({{"failure", c.failure}, {"failures", c.failures}, {"of", c.of}});
   }
@@ -33,7 +33,7 @@ json scenes_json(std::span<const SceneReport> reports, const stability::Settings
              {"about", r.about},           {"methods", json::array()}, {"pictures", json::array()}};
     for (const stability::MethodOutcome& o : r.findings.outcomes) one["methods"].push_back(json_of(o));
     for (const stability::Picture& p : r.findings.pictures) {
-      one["pictures"].push_back({{"file", p.name + ".svg"}, {"caption", p.caption}});
+      one["pictures"].push_back({{"picture", p.name + ".svg"}, {"caption", p.caption}});
     }
     j["scenes"].push_back(std::move(one));
   }

@@ -31,16 +31,33 @@ parting::CoreDistance core_distance(const Difference& d, DifferenceCorners guess
   return parting::core_distance(d);
 }
 
+Aim aim_of(const parting::SumParting& s) {
+  const bool are_apart = s.known == parting::SumParting::Known::apart;
+  return {s.parting->way, {s.level[0].first, s.level[1].first}, are_apart, s.level, {}, !are_apart};
+}
+
 }  // namespace
 
+std::optional<Aim> cached_aim(const Difference& d, const ContactCache& cache) {
+  if (!cache.has_edges || !d.a.is_sum() || !d.b.is_sum()) return {};
+  const auto& [p, q] = cache.edges;
+  const auto s = parting::plane_across(d, {{{p[0], p[1]}, {q[0], q[1]}}});
+  if (!s) return {};
+  return aim_of(*s);
+}
+
 Aim aim_at(const Difference& d, bool may_guess, ContactCache* cache) {
+  if (cache != nullptr) cache->has_edges = false;
   if (d.a.is_sum() && d.b.is_sum()) {
     using Known = parting::SumParting::Known;
-    parting::SumParting s = parting::parted_sums(d);
-    if (s.known == Known::apart && may_guess && !s.parting) s = parting::plane_between(d).value_or(s);
-    if (s.known == Known::parting || (may_guess && s.parting)) {
-      const bool are_apart = s.known == Known::apart;
-      return {s.parting->way, {s.level[0].first, s.level[1].first}, are_apart, s.level, {}, !are_apart};
+    const parting::SumParting s = parting::parted_sums(d);
+    if (s.known == Known::parting) return aim_of(s);
+    if (may_guess && s.parting) {
+      if (cache != nullptr && s.edges) {
+        const auto [p, q] = *s.edges;
+        cache->edges = {{{p.body, p.bit}, {q.body, q.bit}}}, cache->has_edges = true;
+      }
+      return aim_of(s);
     }
   }
   const parting::CoreDistance core = core_distance(d, guess_of(d, cache));

@@ -24,9 +24,12 @@ struct Aim {
   bool is_proved = true;
 };
 
-/// `may_guess`: of sums of edges that are apart the answer may be a plane between them that holds a face or an edge of
-/// each.  It is proved where the points that are farthest have two that are straight ahead of one another; proved or
-/// not, the bodies are apart by no less.
+/// Of sums of edges that are apart: the plane between them that was found before, where it still is one.  It is proved
+/// where the points that are farthest have two that are straight ahead of one another; proved or not, the bodies are apart
+/// by no less.
+std::optional<Aim> cached_aim(const Difference& d, const ContactCache& cache);
+
+/// `may_guess`: the answer may be such a plane.
 Aim aim_at(const Difference& d, bool may_guess, ContactCache* cache);
 
 }  // namespace plumb::query::touching

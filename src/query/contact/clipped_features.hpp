@@ -21,32 +21,53 @@ struct Found {
 };
 using FoundCorners = parting::ShortList<Found, 16>;
 
-/// A feature over a number type, seen along the direction that leads out of its body.
+/// A feature over a number type, seen along the direction that leads out of its body; computed where it is asked for.
 template <class T>
-struct View {
+class View {
+ public:
   const Seen& seen;
   const Facing& f;
-  parting::ShortList<std::optional<Vec<T>>, 8> places;  // many a number type has no value to begin with
 
-  View(const Seen& s, const Facing& facing) : seen(s), f(facing) {
-    for (const Index i : f.corners) places.push_back(s.core.at<T>(i));
+  View(const Seen& s, const Facing& facing) : seen(s), f(facing), is_side_(s.core.is_sum() && size() == 4) {
+    for (std::size_t i = 0; i < size(); ++i) places_.push_back({});
+    for (std::size_t i = 0; i < edges(); ++i) ways_.push_back({});
   }
   [[nodiscard]] std::size_t size() const { return f.corners.size(); }
-  [[nodiscard]] const Vec<T>& at(std::size_t i) const { return *places[i]; }
+  [[nodiscard]] const Vec<T>& at(std::size_t i) const {
+    std::optional<Vec<T>>& place = places_.begin()[i];
+    // Of running errors a sign is all that is asked; along the edges there are fewer of them to be computed.
+    const bool by_edges = std::is_same_v<T, Running> && is_side_ && i > 0 && !seen.core.is_aligned();
+    if (!place) place = by_edges ? at(i == 3 ? 0 : i - 1) + edge(i == 3 ? 1 : i - 1) : seen.core.at<T>(f.corners[i]);
+    return *place;
+  }
   [[nodiscard]] std::size_t edges() const { return f.edges.size(); }
-  [[nodiscard]] Vec<T> edge(std::size_t i) const { return at(i + 1 == size() ? 0 : i + 1) - at(i); }
+  [[nodiscard]] const Vec<T>& edge(std::size_t i) const {
+    std::optional<Vec<T>>& way = ways_.begin()[i];
+    const std::size_t next = i + 1 == size() ? 0 : i + 1;
+    if (!way) way = is_side_ ? parting::between<T>(seen.core, f.corners[i], f.corners[next]) : at(next) - at(i);
+    return *way;
+  }
   [[nodiscard]] Feature vertex(std::size_t i) const { return surface_feature(seen, FeatureKind::vertex, f.corners[i]); }
+
+ private:
+  bool is_side_;                                                            // of a box
+  mutable parting::ShortList<std::optional<Vec<T>>, 8> places_{}, ways_{};  // many a number type has no default
 };
 
 /// On which side of each edge of one feature is each vertex of another?  Of a segment its two ends are lines, too.
+/// `is_on(i, k, j)`: is corner j of the other known to be on the line through i and k?
 class Sides {
  public:
-  template <class T>
-  Sides(const View<T>& of, const Vec<T>& out, const View<T>& other, CertainSigns& ask)
+  template <class T, class IsOn>
+  Sides(const View<T>& of, const Vec<T>& out, const View<T>& other, const IsOn& is_on, CertainSigns& ask)
       : lines_(of.size() == 2 ? 3 : of.edges()), vertices_(other.size()), is_segment_(of.size() == 2) {
     for (std::size_t l = 0; l < of.edges(); ++l) {
       const Vec<T> inward = sparse_cross(out, of.edge(l));
-      for (std::size_t j = 0; j < vertices_; ++j) sign_.push_back(ask(sparse_dot(inward, other.at(j) - of.at(l))));
+      const Index from = of.f.corners[l], to = of.f.corners[l + 1 == of.size() ? 0 : l + 1];
+      for (std::size_t j = 0; j < vertices_; ++j) {
+        const bool is_known = is_on(from, to, other.f.corners[j]);
+        sign_.push_back(is_known ? Sign::zero : ask(sparse_dot(inward, other.at(j) - of.at(l))));
+      }
     }
     if (of.size() != 2) return;
     const Vec<T> along = sparse_cross(sparse_cross(out, of.edge(0)), out);
@@ -100,11 +121,15 @@ Feature feature_of(const View<T>& v, const Sides::Place& place) {
   return place.kind == FeatureKind::edge ? v.f.edges[place.index] : v.vertex(place.index);
 }
 
-/// `normal` leads from a to b.
+/// `normal` leads from a to b, back along the way.
 template <class T>
-FoundCorners common_corners(const View<T>& a, const View<T>& b, const Vec<T>& normal, CertainSigns& ask) {
+FoundCorners common_corners(const View<T>& a, const View<T>& b, const Vec<T>& normal, const Way& way,
+                            CertainSigns& ask) {
   const Vec<T> back = Vec<T>{T(0.0), T(0.0), T(0.0)} - normal;
-  const Sides on_a(a, normal, b, ask), on_b(b, back, a, ask);
+  const auto is_on = [&](std::size_t body) {
+    return [&way, body](Index i, Index k, Index j) { return way.is_before(body, i, k, j); };
+  };
+  const Sides on_a(a, normal, b, is_on(0), ask), on_b(b, back, a, is_on(1), ask);
   FoundCorners found;
   for (std::size_t j = 0; j < b.size() && (a.size() > 1 || b.size() == 1); ++j) {
     const auto p = on_a.place(j);

@@ -9,99 +9,12 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "query/contact/corner_numbers.hpp"
-#include "query/convex/core.hpp"
-#include "query/convex/exact_gap.hpp"
-#include "query/separation/convex_body.hpp"
+#include "query/contact/quick_numbers.hpp"
 
 namespace plumb::query {
 namespace {
 
 using namespace touching;  // NOLINT: all of it is of this question
-
-/// As doubles where all of them are, and without rounding.
-class Radii {
- public:
-  Radii(std::string_view function, const BodyView& a, const BodyView& b) {
-    given_ = {radius_of(a), radius_of(b)};
-    if ((given_[0] == 0 || a.pose.stands()) && (given_[1] == 0 || b.pose.stands())) return;
-    const std::array<Body, 2> bodies = bodies_of(function, a, b);
-    posed_ = {bodies[0].radius, bodies[1].radius};
-    for (std::size_t i = 0; i < 2; ++i) {
-      given_[i] = (*posed_)[i].get_d();
-      are_doubles_ = are_doubles_ && given_[i] == (*posed_)[i];
-    }
-  }
-  [[nodiscard]] bool are_doubles() const { return are_doubles_; }
-  [[nodiscard]] double given(std::size_t i) const { return given_[i]; }
-  [[nodiscard]] mpq_class exact(std::size_t i) const { return posed_ ? (*posed_)[i] : mpq_class(given_[i]); }
-  [[nodiscard]] bool are_none() const { return given_[0] == 0 && given_[1] == 0; }
-
- private:
-  std::array<double, 2> given_{};
-  std::optional<std::array<mpq_class, 2>> posed_;
-  bool are_doubles_ = true;
-};
-
-template <class T>
-Vec<T> turned_back(const Vec<T>& v) {
-  return Vec<T>{T(0.0), T(0.0), T(0.0)} - v;
-}
-
-/// What is asked about.
-class Pair {
- public:
-  Pair(std::string_view function, const BodyView& a, const BodyView& b, double margin, ContactCache* cache)
-      : views_{a, b}, corners_(corners_of(function, a, b)), radii_(function, a, b), margin_(margin) {
-    aim(true, cache);
-  }
-  Pair(const Pair&) = delete;  // what is seen refers to it
-  Pair& operator=(const Pair&) = delete;
-  ~Pair() = default;
-
-  void aim(bool may_guess, ContactCache* cache) {
-    aim_.emplace(aim_at(difference(), may_guess, cache));
-    known_.emplace(aim_->way.known(difference()));
-  }
-  [[nodiscard]] bool is_proved() const { return aim_->is_proved; }
-
-  [[nodiscard]] Difference difference() const { return {corners_[0], corners_[1]}; }
-  [[nodiscard]] const Radii& radii() const { return radii_; }
-  [[nodiscard]] double margin() const { return margin_; }
-
-  /// From a to b.
-  template <class T>
-  [[nodiscard]] Vec<T> normal() const {
-    return turned_back(aim_->way.along<T>(difference()));
-  }
-  /// How far the cores are apart along the normal, times its length.
-  template <class T>
-  [[nodiscard]] T height(const Vec<T>& normal) const {
-    return T(0.0) - sparse_dot(normal, difference().at<T>(aim_->at));
-  }
-  [[nodiscard]] Seen seen(std::size_t i) const {
-    return {views_[i],
-            corners_[i],
-            aim_->at[i],
-            i == 0 ? known_->a : known_->b,
-            aim_->level ? &(*aim_->level)[i] : nullptr,
-            aim_->all ? &(*aim_->all)[i] : nullptr};
-  }
-
- private:
-  std::array<BodyView, 2> views_;
-  std::array<CoreCorners, 2> corners_;
-  Radii radii_;
-  double margin_;
-  std::optional<Aim> aim_;
-  std::optional<parting::KnownPlane> known_;
-};
-
-/// The features that face each other, and the corners of what they have in common.
-struct Matched {
-  std::array<Seen, 2> seen;
-  std::array<Facing, 2> facing;
-  FoundCorners corners;
-};
 
 template <class T>
 bool match(const Pair& pair, Matched& m) {
@@ -111,7 +24,7 @@ bool match(const Pair& pair, Matched& m) {
   if (!ask.certain()) return false;
   m.facing[1] = FacingSearch<T>(m.seen[1], back, ask).run();
   if (!ask.certain()) return false;
-  m.corners = common_corners(View<T>(m.seen[0], m.facing[0]), View<T>(m.seen[1], m.facing[1]), normal, ask);
+  m.corners = common_corners(View<T>(m.seen[0], m.facing[0]), View<T>(m.seen[1], m.facing[1]), normal, pair.way(), ask);
   return ask.certain();
 }
 Matched matched(const Pair& pair) {
@@ -155,95 +68,6 @@ Sign compare_with(const BigDyadic& height, const BigDyadic& whole, const BigDyad
   return sign_of_number(cmp(mpq_class(h * h * gmp_number(square)), mpq_class(reach * reach)));
 }
 
-/// A list of numbers that pairs of doubles tell, each rounded once.
-class Told {
- public:
-  double operator()(const Ball& x) {
-    const auto nearest = x.nearest();
-    all_ = all_ && nearest;
-    return nearest.value_or(0);
-  }
-  [[nodiscard]] bool all() const { return all_; }
-
- private:
-  bool all_ = true;
-};
-
-/// Numbers of one pair by pairs of doubles; what these leave open is nothing.
-class QuickNumbers {
- public:
-  explicit QuickNumbers(const Pair& p)
-      : pair_(p),
-        normal_(p.normal<Ball>()),
-        length_(root(sparse_dot(normal_, normal_))),
-        share_(quotient(Ball(1), length_)),
-        radii_(Ball(p.radii().given(0)) + Ball(p.radii().given(1))),
-        limit_(radii_ + Ball(p.margin())) {}
-
-  /// Is there a contact?
-  struct Whole {
-    bool is_near;
-    Relation relation;
-    Vector3 normal;
-    double distance;
-  };
-  [[nodiscard]] std::optional<Whole> whole() const {
-    if (!pair_.radii().are_doubles()) return {};
-    const Ball height = pair_.height(normal_), along = height * share_;
-    const auto beyond = beyond_limit(height, Ball(1), along);
-    if (!beyond) return {};
-    if (*beyond) return Whole{false, Relation::disjoint, {}, 0};
-    const Unsure<Sign> side = pair_.radii().are_none() ? height.sign() : (along - radii_).sign();
-    if (!side.certain()) return {};
-    Told told;
-    const Vec<Ball> unit = normal_ * share_;
-    const Whole w{true,
-                  static_cast<Relation>(-static_cast<int>(side.value())),
-                  {told(unit.x), told(unit.y), told(unit.z)},
-                  side.value() == Sign::zero ? 0 : told(along - radii_)};
-    if (!told.all()) return {};
-    return w;
-  }
-
-  struct Corner {
-    bool is_near;
-    ContactCorner told;
-  };
-  [[nodiscard]] std::optional<Corner> corner(const CornerPlaces<Ball>& places, const Found& f) const {
-    const CornerFractions<Ball> n = places.of(f);
-    const Ball along = quotient(n.height, n.whole) * length_;
-    const auto beyond = beyond_limit(n.height, n.whole, along);
-    if (!beyond) return {};
-    if (*beyond) return Corner{false, {}};
-    Told told;
-    const auto at = [&](const PlaceOn<Ball>& p, double radius) {
-      Vec<Ball> x = certainly_zero(p.numerator) ? p.base : p.base + p.along * quotient(p.numerator, n.whole);
-      if (radius != 0) x = x + normal_ * (share_ * Ball(radius));
-      return Point3{told(x.x), told(x.y), told(x.z)};
-    };
-    const Corner c{true,
-                   {at(n.on_a, pair_.radii().given(0)), at(n.on_b, -pair_.radii().given(1)),
-                    pair_.radii().are_none() && certainly_zero(n.height) ? 0 : told(along - radii_), f.id}};
-    if (!told.all()) return {};
-    return c;
-  }
-
- private:
-  /// Of height / whole normals; `along` is that with their length.
-  [[nodiscard]] std::optional<bool> beyond_limit(const Ball& height, const Ball& whole, const Ball& along) const {
-    const Unsure<Sign> h = height.sign(), w = whole.sign();
-    if (!h.certain() || !w.certain()) return {};
-    if (h.value() * w.value() != Sign::positive) return false;
-    const Unsure<Sign> s = (along - limit_).sign();
-    if (!s.certain()) return {};
-    return s.value() == Sign::positive;
-  }
-
-  const Pair& pair_;
-  Vec<Ball> normal_;
-  Ball length_, share_, radii_, limit_;
-};
-
 /// The same by integers.
 class ExactNumbers3 {
  public:
@@ -256,7 +80,7 @@ class ExactNumbers3 {
         both_(radii_[0] + radii_[1]),
         limit_(both_ + mpq_class(p.margin())) {}
 
-  [[nodiscard]] QuickNumbers::Whole whole() const {
+  [[nodiscard]] Whole whole() const {
     const BigDyadic height = pair_.height(normal_);
     const BigDyadic whole = square_ * scale_;
     if (compare_with(height, whole, square_, limit_) == Sign::positive) return {false, Relation::disjoint, {}, 0};
@@ -272,7 +96,7 @@ class ExactNumbers3 {
   [[nodiscard]] bool is_near(const CornerFractions<BigDyadic>& n) const {
     return compare_with(n.height, n.whole * scale_, square_, limit_) != Sign::positive;
   }
-  [[nodiscard]] QuickNumbers::Corner corner(CornerFractions<BigDyadic> n, const ContactId& id) const {
+  [[nodiscard]] Corner corner(CornerFractions<BigDyadic> n, const ContactId& id) const {
     if (n.whole.sign() == Sign::negative) {
       const BigDyadic none(0.0);
       n.whole = none - n.whole, n.height = none - n.height;
@@ -309,24 +133,23 @@ class ExactNumbers3 {
   mpq_class both_, limit_;
 };
 
-/// Those of `all` that are near, by pairs of doubles and else by integers.
+/// Those that are not told yet.
+[[gnu::noinline]] void tell_exactly(const Pair& pair, const Matched& m, QuickCorners& corners) {
+  const View<BigDyadic> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
+  const ExactNumbers3 numbers(pair);
+  const CornerPlaces<BigDyadic> places(a, b, pair.normal<BigDyadic>());
+  for (std::size_t i = 0; i < m.corners.size(); ++i) {
+    const Found& f = m.corners[i];
+    if (!corners[i]) corners.begin()[i] = numbers.corner(places.of(f), f.id);
+  }
+}
+
+/// Those that are near, by pairs of doubles and else by integers.
 void tell_corners(const Pair& pair, const QuickNumbers& quick, const Matched& m, ContactCorners& to) {
-  const View<Ball> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
-  const CornerPlaces<Ball> places(a, b, pair.normal<Ball>());
-  struct Slow {
-    View<BigDyadic> a, b;
-    ExactNumbers3 numbers;
-    CornerPlaces<BigDyadic> places;
-    Slow(const Pair& p, const Matched& m)
-        : a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]), numbers(p), places(a, b, p.normal<BigDyadic>()) {}
-  };
-  std::optional<Slow> slow;
-  for (const Found& f : m.corners) {
-    auto corner = pair.radii().are_doubles() ? quick.corner(places, f) : std::nullopt;
-    if (!corner) {
-      if (!slow) slow.emplace(pair, m);
-      corner = slow->numbers.corner(slow->places.of(f), f.id);
-    }
+  QuickCorners corners = quick.corners(m);
+  const auto is_told = [](const auto& corner) { return corner.has_value(); };
+  if (!std::ranges::all_of(corners, is_told)) tell_exactly(pair, m, corners);
+  for (const auto& corner : corners) {
     if (corner->is_near) to.push_back(corner->told);
   }
 }
@@ -385,7 +208,7 @@ std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, 
     tell_corners(pair, quick, match, m->corners);
     return true;
   };
-  if (!answer()) pair.aim(false, cache), (void)answer();
+  for (bool may_guess = pair.is_as_before(); !answer(); may_guess = false) pair.aim(may_guess, cache);
   if (m && options.at_most > 0 && m->corners.size() > options.at_most) m->corners = widest(m->corners, options.at_most);
   return m;
 }
@@ -395,7 +218,7 @@ std::optional<ExactContact> exact_contact_of(const BodyView& a, const BodyView& 
   Pair pair("exact_contact", a, b, margin, nullptr);
   if (!pair.is_proved()) pair.aim(false, nullptr);
   const ExactNumbers3 numbers(pair);
-  const QuickNumbers::Whole whole = numbers.whole();
+  const Whole whole = numbers.whole();
   if (!whole.is_near) return {};
   const Vec<mpq_class> normal = pair.normal<mpq_class>();
   const Exact3 direction = primitive({normal.x, normal.y, normal.z});

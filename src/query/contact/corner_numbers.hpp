@@ -13,11 +13,13 @@
 
 namespace plumb::query::touching {
 
-/// base + along * numerator / whole.
+/// base + along * numerator / whole.  In a plane along two axes of space the third coordinate is known.
 template <class T>
 struct PlaceOn {
   Vec<T> base, along;
   T numerator;
+  int level_axis = -1;
+  const Vec<T>* level = nullptr;  // has that coordinate
 };
 
 template <class T>
@@ -35,30 +37,47 @@ Vec<T> plane_normal(const View<T>& v, const Vec<T>& normal) {
     return normal * sparse_dot(e, e) - e * sparse_dot(e, normal);
   }
   const std::size_t n = v.size();
+  if (n == 4) return sparse_cross(v.edge(0), v.edge(1));
   return sparse_cross(v.at(n / 3) - v.at(0), v.at(n - n / 3) - v.at(0));
+}
+
+/// The axis of space that a vector is along by zeros; below zero where it is along none, or where exact numbers need not
+/// know.
+template <class T>
+int axis_along(const Vec<T>& v) {
+  if constexpr (std::is_same_v<T, Ball>) {
+    const bool x = certainly_zero(v.x), y = certainly_zero(v.y), z = certainly_zero(v.z);
+    if (x && y) return z ? -1 : 2;
+    if (z && (x || y)) return x ? 1 : 0;
+  }
+  return -1;
 }
 
 template <class T>
 class CornerPlaces {
  public:
-  CornerPlaces(const View<T>& a, const View<T>& b, const Vec<T>& normal)
-      : a_(a), b_(b), normal_(normal), plane_a_(plane_normal(a, normal)), plane_b_(plane_normal(b, normal)) {}
+  CornerPlaces(const View<T>& a, const View<T>& b, const Vec<T>& normal) : a_(a), b_(b), normal_(normal) {}
 
   [[nodiscard]] CornerFractions<T> of(const Found& f) const {
     const T none(0.0);
-    const Vec<T>&p = a_.at(f.i), &q = b_.at(f.j);
     if (f.kind == CornerKind::both_vertices) {
+      const Vec<T>&p = a_.at(f.i), &q = b_.at(f.j);
       return {{p, normal_, none}, {q, normal_, none}, sparse_dot(normal_, normal_), sparse_dot(normal_, q - p)};
     }
     if (f.kind == CornerKind::vertex_of_b) {
-      const T height = sparse_dot(plane_a_, q - a_.at(0));
-      return {{q, normal_, none - height}, {q, normal_, none}, sparse_dot(plane_a_, normal_), height};
+      const Vec<T>& q = b_.at(f.j);
+      const Plane& plane = plane_of(a_, plane_a_);
+      const T height = sparse_dot(plane.normal, q - a_.at(0));
+      return {{q, normal_, none - height, plane.axis, &a_.at(0)}, {q, normal_, none}, plane.along, height};
     }
     if (f.kind == CornerKind::vertex_of_a) {
-      const T height = sparse_dot(plane_b_, b_.at(0) - p);
-      return {{p, normal_, none}, {p, normal_, height}, sparse_dot(plane_b_, normal_), height};
+      const Vec<T>& p = a_.at(f.i);
+      const Plane& plane = plane_of(b_, plane_b_);
+      const T height = sparse_dot(plane.normal, b_.at(0) - p);
+      return {{p, normal_, none}, {p, normal_, height, plane.axis, &b_.at(0)}, plane.along, height};
     }
-    const Vec<T> e = a_.edge(f.i), g = b_.edge(f.j), way = q - p, m = sparse_cross(e, g);
+    const Vec<T>&p = a_.at(f.i), &q = b_.at(f.j), &e = a_.edge(f.i), &g = b_.edge(f.j);
+    const Vec<T> way = q - p, m = sparse_cross(e, g);
     return {{p, e, sparse_dot(sparse_cross(g, normal_), way)},
             {q, g, sparse_dot(sparse_cross(e, normal_), way)},
             sparse_dot(m, normal_),
@@ -66,8 +85,22 @@ class CornerPlaces {
   }
 
  private:
+  struct Plane {
+    Vec<T> normal;
+    T along;  // the contact's normal
+    int axis;
+  };
+  const Plane& plane_of(const View<T>& v, std::optional<Plane>& plane) const {
+    if (!plane) {
+      const Vec<T> n = plane_normal(v, normal_);
+      plane = Plane{n, sparse_dot(n, normal_), axis_along(n)};
+    }
+    return *plane;
+  }
+
   const View<T>&a_, &b_;
-  Vec<T> normal_, plane_a_, plane_b_;
+  Vec<T> normal_;
+  mutable std::optional<Plane> plane_a_, plane_b_;  // when first asked for
 };
 
 }  // namespace plumb::query::touching

@@ -46,10 +46,11 @@ bool are_in_one_plane(const ConvexPolyhedron3& s, Index face, Index other) {
   const auto corners = [&](Index f) { return std::span(m.corners).subspan(m.first[f], m.first[f + 1] - m.first[f]); };
   const auto at = [&](Index v) { return m.vertices[v]; };
   const auto of = corners(face);
-  for (std::size_t k = 2; k < of.size(); ++k) {  // the first three may be on one line
-    if (collinear(at(of[0]), at(of[1]), at(of[k]))) continue;
-    return std::ranges::all_of(corners(other),
-                               [&](Index v) { return orient3d(at(of[0]), at(of[1]), at(of[k]), at(v)) == Sign::zero; });
+  for (std::size_t k = 2; k < of.size(); ++k) {
+    const bool are_in = std::ranges::all_of(corners(other), [&](Index v) {
+      return std::ranges::find(of, v) != of.end() || orient3d(at(of[0]), at(of[1]), at(of[k]), at(v)) == Sign::zero;
+    });
+    if (!are_in || !collinear(at(of[0]), at(of[1]), at(of[k]))) return are_in;  // else nothing is told of a plane
   }
   return false;
 }

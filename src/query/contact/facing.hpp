@@ -19,7 +19,7 @@
 
 namespace plumb::query::touching {
 
-using arith::Vec, arith::sparse_cross, arith::sparse_dot;
+using arith::Vec, arith::sparse_cross, arith::sparse_dot, arith::sparse_scaled;
 using Index = std::uint32_t;
 using Corners = parting::ShortList<Index, 8>;
 
@@ -108,16 +108,36 @@ class FacingSearch {
   }
 
   /// Of the normals of faces, none of which is seen edge on: which makes the least angle with the direction?
+  struct Normal {
+    Vec<T> normal;
+    T along, along_square, square;
+
+    Normal(const Vec<T>& n, const Vec<T>& out)
+        : normal(n), along(sparse_dot(n, out)), along_square(along * along), square(sparse_dot(n, n)) {}
+  };
   struct Best {
     std::optional<T> along, square;
     std::size_t which = 0;
     Sign side = Sign::zero;
   };
-  bool is_better(Best& best, const Vec<T>& normal, const T& along) {
-    T square_along = along * along, square = sparse_dot(normal, normal);
-    if (best.along && ask_(square_along * *best.square - *best.along * square) != Sign::positive) return false;
-    best.along = square_along, best.square = square;
+  bool is_better(Best& best, const Normal& n) {
+    if (best.along && ask_(n.along_square * *best.square - *best.along * n.square) != Sign::positive) return false;
+    best.along = n.along_square, best.square = n.square;
     return true;
+  }
+  /// For certain: so that nothing need be known of the side it is on.
+  static bool is_worse(const Normal& n, const Normal& best) {
+    CertainSigns ask;
+    const Sign order = ask(n.along_square * best.square - best.along_square * n.square);
+    return ask.certain() && order == Sign::negative;
+  }
+  static constexpr bool can_guess = std::is_same_v<T, Running> || std::is_same_v<T, Ball>;
+  static double rough(const T& x) {
+    if constexpr (std::is_same_v<T, Running>) {
+      return x.value;
+    } else {
+      return x.high;
+    }
   }
 
   void of_box() {
@@ -134,17 +154,36 @@ class FacingSearch {
       if ((lengths >> k & l.free >> k & 1) != 0) continue;  // what is level leads off that face
       may[count++] = k;
     }
+    std::array<std::optional<Normal>, 3> of;
+    for (std::size_t m = 0; m < count; ++m) of[m].emplace(sparse_cross(w[(may[m] + 1) % 3], w[(may[m] + 2) % 3]), out_);
+    const auto upper = [&](Index k) { return (l.first >> k & 1) != 0 ? Sign::positive : Sign::negative; };
+    const auto turn_of = [&](std::size_t m) {
+      if (!turn) turn = lengths == 7 ? ask_(sparse_dot(of[m]->normal, w[may[m]])) : Sign::zero;
+      return *turn;
+    };
+    std::optional<std::size_t> likely;  // a guess: others are left out where this one is better for certain
+    if constexpr (can_guess) {
+      for (std::size_t m = 0; m < count && count > 1; ++m) {
+        if (!likely || rough(of[m]->along_square) * rough(of[*likely]->square) >
+                           rough(of[*likely]->along_square) * rough(of[m]->square)) {
+          likely = m;
+        }
+      }
+    }
+    if (likely) {
+      CertainSigns ask;
+      const Sign side = ask(of[*likely]->along), turned = turn_of(*likely);
+      const bool is_out = side != Sign::zero && (turned == Sign::zero || side * turned == upper(may[*likely]));
+      if (!ask.certain() || !is_out) likely.reset();
+    }
     Best best;
     for (std::size_t m = 0; m < count; ++m) {
-      const Index k = may[m], i = (k + 1) % 3, j = (k + 2) % 3;
-      const Vec<T> normal = sparse_cross(w[i], w[j]);
-      const T along = sparse_dot(normal, out_);
-      const Sign side = ask_(along);
-      if (side == Sign::zero) continue;
-      if (!turn) turn = lengths == 7 ? ask_(sparse_dot(normal, w[k])) : Sign::zero;
-      const Sign upper = (l.first >> k & 1) != 0 ? Sign::positive : Sign::negative;
-      if (*turn != Sign::zero && side * *turn != upper) continue;
-      if (count > 1 && !is_better(best, normal, along)) continue;
+      const Index k = may[m];
+      const Normal& n = *of[m];
+      if (likely && m != *likely && is_worse(n, *of[*likely])) continue;
+      const Sign side = ask_(n.along);
+      if (side == Sign::zero || (turn_of(m) != Sign::zero && side * *turn != upper(k))) continue;
+      if (count > 1 && !is_better(best, n)) continue;
       best.which = k, best.side = side;
     }
     if (best.side == Sign::zero) return of_list(level());
@@ -169,10 +208,9 @@ class FacingSearch {
     for (Index k = 0; k < 4; ++k) {
       if (std::ranges::find(l, k) != l.end()) continue;
       const auto [p, q, r] = others(k);
-      const Vec<T> normal = sparse_cross(at(q) - at(p), at(r) - at(p));
-      const T along = sparse_dot(normal, out_);
-      const Sign side = ask_(along), inner = ask_(sparse_dot(normal, at(k) - at(p)));
-      if (side == Sign::zero || inner == side || !is_better(best, normal, along)) continue;
+      const Normal n(sparse_cross(at(q) - at(p), at(r) - at(p)), out_);
+      const Sign side = ask_(n.along), inner = ask_(sparse_dot(n.normal, at(k) - at(p)));
+      if (side == Sign::zero || inner == side || !is_better(best, n)) continue;
       best.which = k, best.side = side;
     }
     if (best.side == Sign::zero) return of_list(l);
@@ -221,11 +259,10 @@ class FacingSearch {
                   after = m.corners[at_corner == last ? first : at_corner + 1];
       const int also = l.size() < 2 ? 0 : (is_level(before) ? 1 : 0) + (is_level(after) ? 1 : 0);
       if (also < most || (also == 0 && l.size() > 1)) continue;
-      const Vec<T> normal = face_normal(m, face);
-      const T along = sparse_dot(normal, out_);
-      if (ask_(along) != handed) continue;
+      const Normal n(face_normal(m, face), out_);
+      if (ask_(n.along) != handed) continue;
       if (also > most) best = {}, most = also;
-      if (!is_better(best, normal, along)) continue;
+      if (!is_better(best, n)) continue;
       best.which = face, best.side = Sign::positive;
     }
     if (best.side == Sign::zero) return of_list(l);

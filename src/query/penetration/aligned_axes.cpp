@@ -73,13 +73,17 @@ SumParting parted_along_axes(const EdgeSum& sum) {
   const Vec<Ball> middle = middle_of<Ball>(sum.difference());
   std::optional<AxisOverlap> least;
   std::optional<bool> up;
-  bool is_unique = true;
+  bool is_unique = true, are_apart = false;
   for (std::size_t g = 0; g < 3; ++g) {
     const AxisOverlap next(sum, g, middle);
     if (sign_by_pairs([&]<class T>() { return next.overlap<T>(); }) == Sign::negative) {
       told.known = SumParting::Known::apart;
-      return told;
+      if (are_apart) return told;  // along two
+      are_apart = true;
+      least.emplace(next), up = sign_by_pairs([&]<class T>() { return next.middle<T>(); }) == Sign::positive;
+      continue;
     }
+    if (are_apart) continue;
     const Sign order =
         least ? sign_by_pairs([&]<class T>() { return next.overlap<T>() - least->overlap<T>(); }) : Sign::negative;
     if (order == Sign::positive) continue;
@@ -94,7 +98,9 @@ SumParting parted_along_axes(const EdgeSum& sum) {
   const Sign out = *up ? Sign::negative : Sign::positive;  // of the difference, where the way leads through
   const Sign of_group = up_of_group(sum, least->group()) * out;
   told.level = furthest_of(sum, [&](std::size_t g) { return g == least->group() ? of_group : Sign::zero; });
-  told.parting = Parting{Way::along_axis(axis, *up, {told.level[0].first, told.level[1].first}), false, is_unique};
+  const Way way = Way::along_axis(axis, *up, {told.level[0].first, told.level[1].first});
+  told.parting = Parting{way, are_apart, is_unique};
+  if (are_apart) return told;
   told.known = SumParting::Known::parting;
   told.is_plain = {sum.has_its_own(0), sum.has_its_own(1)};
   told.overlap = least->overlap<Ball>() * Ball(0.5);

@@ -39,6 +39,15 @@ Sign sign_of(const Value& value) {
   return exact_sign_of(value);
 }
 
+/// From one corner to another; of a sum along an edge by that edge alone.
+template <class T>
+Vec<T> between(const CoreCorners& c, std::uint32_t from, std::uint32_t to) {
+  const std::uint32_t bits = from ^ to;
+  if (!c.is_sum() || !std::has_single_bit(bits)) return c.at<T>(to) - c.at<T>(from);
+  const Vec<T> edge = c.edge<T>(static_cast<std::size_t>(std::countr_zero(bits)));
+  return to > from ? edge : Vec<T>{T(0.0), T(0.0), T(0.0)} - edge;
+}
+
 /// All a - b for a and b in the hulls of the corners.
 struct Difference {
   const CoreCorners& a;
@@ -51,18 +60,9 @@ struct Difference {
   /// From one point to another: what both have in common takes no part in it.
   template <class T>
   [[nodiscard]] Vec<T> between(const Ends& from, const Ends& to) const {
-    if (from[1] == to[1]) return between<T>(a, from[0], to[0]);
-    const Vec<T> of_b = between<T>(b, to[1], from[1]);
-    return from[0] == to[0] ? of_b : between<T>(a, from[0], to[0]) + of_b;
-  }
-
- private:
-  template <class T>
-  static Vec<T> between(const CoreCorners& c, std::uint32_t from, std::uint32_t to) {
-    const std::uint32_t bits = from ^ to;
-    if (!c.is_sum() || !std::has_single_bit(bits)) return c.at<T>(to) - c.at<T>(from);
-    const Vec<T> edge = c.edge<T>(static_cast<std::size_t>(std::countr_zero(bits)));
-    return to > from ? edge : Vec<T>{T(0.0), T(0.0), T(0.0)} - edge;
+    if (from[1] == to[1]) return parting::between<T>(a, from[0], to[0]);
+    const Vec<T> of_b = parting::between<T>(b, to[1], from[1]);
+    return from[0] == to[0] ? of_b : parting::between<T>(a, from[0], to[0]) + of_b;
   }
 };
 

@@ -11,6 +11,11 @@
 
 namespace plumb::query::parting {
 
+/// Edge `bit` of the first body (0) or of the second.
+struct EdgeName {
+  std::uint32_t body, bit;
+};
+
 struct SumEdge {
   std::uint32_t body, bit;
   std::uint32_t group;
@@ -35,6 +40,13 @@ class EdgeSum {
     std::size_t i = 0;
     while (edges_[i].group != group) ++i;
     return edges_[i];
+  }
+  /// Nothing where there is no such edge.
+  [[nodiscard]] std::optional<std::uint32_t> group_of(const EdgeName& name) const {
+    for (const SumEdge& e : edges()) {
+      if (e.body == name.body && e.bit == name.bit) return e.group;
+    }
+    return {};
   }
   /// The axis of space that a group is along, unless it is along none by what is given.
   [[nodiscard]] std::optional<int> axis(std::size_t group) const { return axis_[group]; }

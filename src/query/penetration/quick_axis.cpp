@@ -1,22 +1,11 @@
 #include "query/penetration/quick_axis.hpp"
 
-#include <cmath>
-
 #include "arith/sparse_vec.hpp"
 
 namespace plumb::query::parting {
 namespace {
 
 using arith::sparse_cross, arith::sparse_dot, arith::sparse_product;
-
-template <class T>
-T size_of(const T& x) {
-  if constexpr (std::is_same_v<T, double>) {
-    return std::fabs(x);
-  } else {
-    return magnitude(x);
-  }
-}
 
 /// Along the normal of two groups.
 template <class T>
@@ -28,155 +17,168 @@ struct Axis {
       : normal(sparse_cross(parts.group[p], parts.group[q])),
         square(sparse_dot(normal, normal)),
         middle(sparse_dot(normal, parts.middle)),
-        overlap(T(0.0) - size_of(middle)) {
+        overlap(T(0.0) - magnitude(middle)) {
     for (std::uint32_t g = 0; g < groups; ++g) {
-      if (g != p && g != q) overlap = overlap + size_of(sparse_dot(normal, parts.group[g]));
+      if (g != p && g != q) overlap = overlap + magnitude(sparse_dot(normal, parts.group[g]));
     }
   }
 };
 
-struct Guess {
-  std::uint32_t i = 0, j = 1;
-};
-
-/// In doubles: the axis of the least overlap, or of the largest gap; of some that are nearly equal the first.
-Guess guessed(const EdgeSum& sum, const SumParts<double>& parts) {
-  constexpr double nearly = 1e-9;
-  std::optional<Guess> best;
-  double least = 0;
-  const auto size = static_cast<std::uint32_t>(sum.groups());
-  const auto is_of_one = [&](std::uint32_t i, std::uint32_t j) { return sum.first_of(i).body == sum.first_of(j).body; };
-  for (const bool faces : {true, false}) {
-    for (std::uint32_t i = 0; i < size; ++i) {
-      for (std::uint32_t j = i + 1; j < size; ++j) {
-        if (is_of_one(i, j) != faces) continue;
-        const Axis<double> a(parts, size, i, j);
-        const double lengths = sparse_dot(parts.group[i], parts.group[i]) * sparse_dot(parts.group[j], parts.group[j]);
-        if (!(a.square > nearly * lengths)) continue;
-        const double overlap = a.overlap / std::sqrt(a.square);
-        if (!best || overlap < least - nearly * std::fabs(least)) least = overlap, best = Guess{i, j};
-      }
-    }
-  }
-  return best.value_or(Guess{});
-}
-
-/// The groups over the number types that doubles make, pairs of them when they are first asked for.
-class Prover {
+/// The axes of a sum by pairs of doubles, each when it is first asked for.
+class Axes {
  public:
-  explicit Prover(const EdgeSum& sum) : sum_(sum), rough_(sum.parts<Running>()) {}
+  explicit Axes(const EdgeSum& sum) : sum_(sum) {}
 
-  const SumParts<Running>& rough() const { return rough_; }
-  const SumParts<Ball>& fine() {
-    if (!fine_) fine_ = sum_.parts<Ball>();
-    return *fine_;
+  const SumParts<Ball>& parts() {
+    if (!parts_) parts_ = sum_.parts<Ball>();
+    return *parts_;
+  }
+  const Axis<Ball>& operator()(std::uint32_t normal, std::uint32_t p, std::uint32_t q) {
+    auto& axis = axis_[normal];
+    if (!axis) axis.emplace(parts(), sum_.groups(), p, q);
+    return *axis;
   }
 
  private:
   const EdgeSum& sum_;
-  SumParts<Running> rough_;
-  std::optional<SumParts<Ball>> fine_;
+  std::optional<SumParts<Ball>> parts_;
+  std::array<std::optional<Axis<Ball>>, 15> axis_;
 };
 
-/// How far out is another axis than this one?  Positive: farther; nothing where it is not certain.
-template <class T>
-std::optional<Sign> order_of(const Axis<T>& other, const Axis<T>& least) {
-  const Unsure<Sign> overlap = other.overlap.sign();
-  if (!overlap.certain()) return {};
-  if (overlap.value() == Sign::negative) return Sign::negative;
-  const Unsure<Sign> order = (sparse_product(sparse_product(other.overlap, other.overlap), least.square) -
-                              sparse_product(sparse_product(least.overlap, least.overlap), other.square))
-                                 .sign();
-  if (!order.certain()) return {};
-  return order.value();
+std::optional<Sign> certain(const Unsure<Sign>& s) {
+  if (!s.certain()) return {};
+  return s.value();
 }
 
-/// The facet that the axis of the guess leads to, or a guess that is nearer for certain; nothing where doubles do not
-/// tell.
-struct Tried {
-  std::optional<SumParting> told;
-  std::optional<Guess> nearer;
+/// What is along a normal of two groups.
+struct Signs {
+  std::array<std::uint32_t, 2> of;
+  Sign overlap, middle;
+  std::array<Sign, 6> along{};  // of each group
 };
-Tried tried(const EdgeSum& sum, Prover& prover, const Guess& g);
-
-}  // namespace
-
-std::optional<SumParting> quick_axis(const EdgeSum& sum) {
-  if (sum.groups() < 3) return {};
-  Prover prover(sum);
-  std::optional<Guess> guess = guessed(sum, sum.parts<double>());
-  while (guess) {  // ends, for each is nearer than the one before
-    const Tried t = tried(sum, prover, *guess);
-    if (t.told) return t.told;
-    guess = t.nearer;
-  }
-  return {};
-}
-
-namespace {
-
-Tried tried(const EdgeSum& sum, Prover& prover, const Guess& g) {
-  const auto size = static_cast<std::uint32_t>(sum.groups());
-  const Difference& d = sum.difference();
-  const Axis<Running> rough(prover.rough(), size, g.i, g.j);
-  std::optional<Axis<Ball>> fine;
-  const auto of_fine = [&]() -> const Axis<Ball>& {
-    if (!fine) fine.emplace(prover.fine(), size, g.i, g.j);
-    return *fine;
+/// From running errors (`along`: of a group), and pairs of doubles where these leave a sign open; nothing where both do,
+/// or where nothing leads along the normal.
+template <class Along, class Fine>
+std::optional<Signs> signs_of(std::size_t groups, const std::array<std::uint32_t, 2>& of, const Running& overlap,
+                              const Running& middle, const Along& along, const Fine& fine, Axes& axes) {
+  const auto sign = [](const Running& rough, const auto& by_pairs) {
+    const auto s = certain(rough.sign());
+    return s ? s : certain(by_pairs().sign());
   };
-  const auto sign = [&](const auto& of) -> std::optional<Sign> {
-    if (const Unsure<Sign> s = of(rough, prover.rough()).sign(); s.certain()) return s.value();
-    if (const Unsure<Sign> s = of(of_fine(), prover.fine()).sign(); s.certain()) return s.value();
-    return {};
-  };
-  const auto overlap = sign([](const auto& a, const auto&) { return a.overlap; });
-  const auto middle = sign([](const auto& a, const auto&) { return a.middle; });
-  if (!overlap || !middle || *middle == Sign::zero) return {};
-  std::array<Sign, 6> along{};
+  const auto of_overlap = sign(overlap, [&]() -> const Ball& { return fine().overlap; });
+  const auto of_middle = sign(middle, [&]() -> const Ball& { return fine().middle; });
+  if (!of_overlap || !of_middle || *of_middle == Sign::zero) return {};
+  Signs told{of, *of_overlap, *of_middle};
   bool has_reach = false;
-  for (std::uint32_t k = 0; k < size; ++k) {
-    if (k == g.i || k == g.j) continue;
-    const auto s = sign([&](const auto& a, const auto& parts) { return sparse_dot(a.normal, parts.group[k]); });
+  for (std::uint32_t k = 0; k < groups; ++k) {
+    if (k == of[0] || k == of[1]) continue;
+    const auto s = sign(along(k), [&] { return sparse_dot(fine().normal, axes.parts().group[k]); });
     if (!s) return {};
-    along[k] = *s, has_reach = has_reach || *s != Sign::zero;
+    told.along[k] = *s, has_reach = has_reach || *s != Sign::zero;
   }
   if (!has_reach) return {};
-  const bool are_apart = *overlap == Sign::negative;
-  for (std::uint32_t p = 0; p < size && !are_apart; ++p) {
-    for (std::uint32_t q = p + 1; q < size; ++q) {
-      if (along[p] == Sign::zero && along[q] == Sign::zero) continue;  // parallel to the guess, or to one another
-      auto order = order_of(Axis<Running>(prover.rough(), size, p, q), rough);
-      if (!order) order = order_of(Axis<Ball>(prover.fine(), size, p, q), of_fine());
-      if (order == Sign::negative) return {{}, Guess{p, q}};
-      if (order != Sign::positive) return {};
-    }
+  return told;
+}
+
+/// The order of two overlaps over the lengths of their normals; nothing where it is not certain.
+std::optional<Sign> order_of(const Axis<Ball>& p, const Axis<Ball>& q) {
+  const Ball square_p = sparse_product(p.overlap, magnitude(p.overlap)),
+             square_q = sparse_product(q.overlap, magnitude(q.overlap));
+  return certain((sparse_product(square_p, q.square) - sparse_product(square_q, p.square)).sign());
+}
+
+/// The axis of the least overlap, or of the widest gap as far as doubles tell.
+std::optional<Signs> least_of(const Zonotope& z) {
+  std::array<std::uint32_t, 15> near;  // as far as running errors tell
+  std::size_t size = 0;
+  std::uint32_t best = 0;
+  double most = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < z.normals(); ++i) {
+    if (const double upper = z.square(i).upper(); upper < most) most = upper, best = i;
   }
-  const auto is_plain = [&](const CoreCorners& c) {
-    if (c.edges() != 3) return false;
-    const Vec<Running> u = c.edge<Running>(0), v = c.edge<Running>(1), w = c.edge<Running>(2);
-    return certain_sign(sparse_dot(sparse_cross(u, v), w)) != 0;
-  };
-  SumParting told{
-      are_apart ? SumParting::Known::apart : SumParting::Known::parting, {}, {}, {is_plain(d.a), is_plain(d.b)}, {}};
-  const auto facet = facet_of(sum, g.i, g.j, -*middle, [&](std::uint32_t k) { return along[k]; });
-  told.level = facet.level;
-  const auto axis = [&](std::uint32_t k) -> std::optional<Vector3> {
-    const SumEdge& e = sum.first_of(k);
+  for (std::uint32_t i = 0; i < z.normals(); ++i) {
+    if (!(z.square(i).lower() > most)) near[size++] = i;
+  }
+  const std::size_t groups = z.sum().groups();
+  Axes axes(z.sum());
+  const auto fine = [&](std::uint32_t i) -> const Axis<Ball>& { return axes(i, z.pair(i)[0], z.pair(i)[1]); };
+  for (;;) {  // ends, for each is nearer than the one before
+    const Zonotope::OfNormal& rough = z.rough(best);
+    const auto signs = signs_of(
+        groups, rough.of, rough.overlap, rough.middle, [&](std::uint32_t k) { return z.rough_along(best, k); },
+        [&]() -> const Axis<Ball>& { return fine(best); }, axes);
+    if (!signs) return {};
+    std::optional<std::uint32_t> nearer;
+    for (std::size_t k = 0; k < size && !nearer; ++k) {
+      const auto [p, q] = z.pair(near[k]);
+      if (signs->along[p] == Sign::zero && signs->along[q] == Sign::zero)
+        continue;  // parallel to it, or to one another
+      const auto order = order_of(fine(near[k]), fine(best));
+      if (order == Sign::negative) {
+        nearer = near[k];
+      } else if (order != Sign::positive && signs->overlap != Sign::negative) {
+        return {};
+      }
+    }
+    if (!nearer) return signs;
+    best = *nearer;
+  }
+}
+
+/// Along an axis of space for certain, where it is along one by zeros.
+Way across(const Vector3& u, const Vector3& v, const Ends& p) {
+  const Vec<Running> n = sparse_cross(arith::vec<Running>(u), arith::vec<Running>(v));
+  const std::array of{n.x.sign(), n.y.sign(), n.z.sign()};
+  const auto is_zero = [&](std::size_t k) { return of[k] == Unsure{Sign::zero}; };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!is_zero((k + 1) % 3) || !is_zero((k + 2) % 3) || !of[k].certain() || is_zero(k)) continue;
+    return Way::along_axis(static_cast<int>(k), of[k].value() == Sign::positive, p);
+  }
+  return Way::across(u, v, p);
+}
+
+SumParting told_of(const EdgeSum& sum, const Signs& signs) {
+  const Difference& d = sum.difference();
+  const bool are_apart = signs.overlap == Sign::negative, up = signs.middle == Sign::positive;
+  const auto facet =
+      facet_of(sum, signs.of[0], signs.of[1], -signs.middle, [&](std::uint32_t k) { return signs.along[k]; });
+  const SumEdge &p = sum.first_of(signs.of[0]), &q = sum.first_of(signs.of[1]);
+  const auto axis = [&](const SumEdge& e) -> std::optional<Vector3> {
     const CoreCorners& c = e.body == 0 ? d.a : d.b;
     return c.stands() ? c.axis_of_edge(e.bit) : std::nullopt;
   };
-  const auto u = axis(g.i), v = axis(g.j);
-  const bool up = *middle == Sign::positive;
-  told.parting = Parting{u && v ? Way::across(up ? *u : *v, up ? *v : *u, facet.points[0]) : Way::through(facet.points),
-                         are_apart, true};
-  return {told, {}};
+  const auto u = axis(p), v = axis(q);
+  const Way way = u && v ? across(up ? *u : *v, up ? *v : *u, facet.points[0]) : Way::through(facet.points);
+  return {.known = are_apart ? SumParting::Known::apart : SumParting::Known::parting,
+          .parting = Parting{way, are_apart, true},
+          .level = facet.level,
+          .edges = SumFacetEdges{{{p.body, p.bit}, {q.body, q.bit}}}};
 }
 
 }  // namespace
 
-std::optional<SumParting> plane_between(const Difference& d) {
-  const auto quick = quick_axis(EdgeSum(d));
-  return quick && quick->known == SumParting::Known::apart ? quick : std::nullopt;
+std::optional<SumParting> quick_axis(const Zonotope& z) {
+  const auto signs = least_of(z);
+  if (!signs) return {};
+  SumParting told = told_of(z.sum(), *signs);
+  if (told.known == SumParting::Known::parting) told.is_plain = {z.is_independent(0), z.is_independent(1)};
+  return told;
+}
+
+std::optional<SumParting> plane_across(const Difference& d, const SumFacetEdges& edges) {
+  const EdgeSum sum(d);
+  const auto p = sum.group_of(edges[0]), q = sum.group_of(edges[1]);
+  if (!p || !q || *p == *q || sum.groups() < 3) return {};
+  const std::array of{std::min(*p, *q), std::max(*p, *q)};
+  const SumParts<Running> parts = sum.parts<Running>();
+  const Axis<Running> rough(parts, sum.groups(), of[0], of[1]);
+  Axes axes(sum);
+  const auto signs = signs_of(
+      sum.groups(), of, rough.overlap, rough.middle,
+      [&](std::uint32_t k) { return sparse_dot(rough.normal, parts.group[k]); },
+      [&]() -> const Axis<Ball>& { return axes(0, of[0], of[1]); }, axes);
+  if (!signs || signs->overlap != Sign::negative) return {};
+  return told_of(sum, *signs);
 }
 
 }  // namespace plumb::query::parting

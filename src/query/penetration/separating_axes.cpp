@@ -78,13 +78,14 @@ std::array<std::uint32_t, 2> guessed_axis(const GivenBox& a, const GivenBox& b) 
 /// Of two boxes no two edges of which are parallel: where doubles tell the one way that is shortest.
 std::optional<SumParting> quick_boxes(const EdgeSum& sum) {
   const Difference& d = sum.difference();
+  if (sum.groups() != 6) return {};
   const auto a = d.a.given_box(), b = d.b.given_box();
-  if (sum.groups() != 6 || !a || !b) return {};
+  if (!a || !b) return {};
   const auto [i, j] = guessed_axis(*a, *b);
   FloatWorld<IsLeastAxis> world;
   const IsLeastAxis::Told axis = IsLeastAxis{}(world, *a, *b, i, j);
   if (!axis.is_least || !world.certain()) return {};
-  SumParting told{SumParting::Known::parting, {}, {}, {true, true}, {}};
+  SumParting told{.known = SumParting::Known::parting, .is_plain = {true, true}};
   const auto facet = facet_of(sum, i, j, -axis.middle, [&](std::uint32_t g) { return axis.along[g]; });
   const Vector3 u = (i < 3 ? *a : *b).axes[i % 3], v = (j < 3 ? *a : *b).axes[j % 3];
   const bool up = axis.middle == Sign::positive;
@@ -101,8 +102,8 @@ SumParting parted_sums(const Difference& d) {
   if (sum.groups() < 3) return told;
   if (sum.groups() == 3 && sum.axis(0) && sum.axis(1) && sum.axis(2)) return parted_along_axes(sum);
   if (const auto quick = quick_boxes(sum)) return *quick;
-  if (const auto quick = quick_axis(sum)) return *quick;
   Zonotope z(sum);
+  if (const auto quick = quick_axis(z)) return *quick;
   const Nearest nearest = nearest_normals(z);
   if (nearest.is_apart) {
     told.known = SumParting::Known::apart;

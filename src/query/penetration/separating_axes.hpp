@@ -16,13 +16,17 @@
 
 namespace plumb::query::parting {
 
+/// The edges that a facet's normal is at right angles to.
+using SumFacetEdges = std::array<EdgeName, 2>;
+
 struct SumParting {
   enum class Known : unsigned char { nothing, apart, parting };
   Known known = Known::nothing;
-  std::optional<Parting> parting;  // of what is apart a plane between them, where it is known
-  std::array<SumLevel, 2> level;   // where the first touches the second
-  std::array<bool, 2> is_plain{};  // the body's edges are known to be independent
-  std::optional<Ball> overlap;     // along an axis of space, where it is known
+  std::optional<Parting> parting{};      // of what is apart a plane between them, where it is known
+  std::array<SumLevel, 2> level{};       // where the first touches the second
+  std::array<bool, 2> is_plain{};        // the body's edges are known to be independent
+  std::optional<Ball> overlap{};         // along an axis of space, where it is known
+  std::optional<SumFacetEdges> edges{};  // where it is along one facet's normal that doubles found
 };
 
 /// Of bodies that are sums; radii have no part in it.

@@ -54,6 +54,15 @@ class Way {
   [[nodiscard]] const std::array<Ends, 3>& facet() const { return of_; }
   /// One of the points.
   [[nodiscard]] const Ends& from() const { return of_[0]; }
+  /// Seen along it, is corner j of the other body on the line through corners i and k of this one (0 or 1)?  So it is
+  /// where the way leads to the point of these two, or from the one to the edge.
+  [[nodiscard]] bool is_before(std::size_t body, std::uint32_t i, std::uint32_t k, std::uint32_t j) const {
+    const Ends &p = of_[0], &q = of_[1];
+    if (j != p[1 - body]) return false;
+    if (kind_ == Kind::point) return i == p[body] || k == p[body];
+    if (kind_ != Kind::line || j != q[1 - body]) return false;
+    return (i == p[body] && k == q[body]) || (i == q[body] && k == p[body]);
+  }
 
  private:
   enum class Kind : unsigned char { plane, point, line, beside, axis, across };

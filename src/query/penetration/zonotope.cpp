@@ -2,25 +2,29 @@
 
 namespace plumb::query::parting {
 
+using arith::sparse_cross, arith::sparse_dot;
+
 Zonotope::Zonotope(const EdgeSum& sum) : sum_(sum), rough_(sum.parts<Running>()) {
   const auto n = static_cast<std::uint32_t>(sum.groups());
   const auto& g = rough_.group;
-  std::array<Running, 64> size;  // of the determinant of three groups, by their bits
   for (std::uint32_t i = 0; i < n; ++i) {
     for (std::uint32_t j = i + 1; j < n; ++j) {
-      const Vec<Running> normal = cross(g[i], g[j]);
-      normal_[normals_++] = {{i, j}, normal, Running(), dot(normal, rough_.middle), Running(), dot(normal, normal)};
-      for (std::uint32_t k = j + 1; k < n; ++k) size[1U << i | 1U << j | 1U << k] = magnitude(dot(normal, g[k]));
+      const Vec<Running> normal = sparse_cross(g[i], g[j]);
+      normal_[normals_++] = {
+          {i, j}, normal, Running(), sparse_dot(normal, rough_.middle), Running(), sparse_dot(normal, normal)};
+      for (std::uint32_t k = j + 1; k < n; ++k) {
+        determinant_[1U << i | 1U << j | 1U << k] = sparse_dot(normal, g[k]);
+      }
     }
   }
   for (std::uint32_t i = 0; i < normals_; ++i) {
     OfNormal& of = normal_[i];
     const std::uint32_t both = 1U << of.of[0] | 1U << of.of[1];
     for (std::uint32_t k = 0; k < n; ++k) {
-      if ((both >> k & 1) == 0) of.reach = of.reach + size[both | 1U << k];
+      if ((both >> k & 1) == 0) of.reach = of.reach + magnitude(determinant_[both | 1U << k]);
     }
     of.overlap = of.reach - magnitude(of.middle);
-    of.square = quotient(of.overlap * of.overlap, of.square);
+    of.square = quotient(of.overlap * magnitude(of.overlap), of.square);
   }
 }
 

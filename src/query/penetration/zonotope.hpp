@@ -2,11 +2,13 @@
 //
 // Along the normal n of two groups of edges the difference reaches sum |n . g| over the other groups to both sides of
 // its middle c, everything times two; the bodies overlap by sum |n . g| - |n . c|.
-// Laws: signs are exact: running errors first, then integers; n . g of three groups is one determinant.
+// Laws: signs are exact: running errors first, then integers; n . g of three groups is one determinant.  What is times
+// an exact zero is an exact zero in running errors.
 // Source: RTCD 4.4.1, 5.2.1.
 // Cost: fifteen cross products, twenty determinants and as many products in running errors; integers are made once.
 #pragma once
 
+#include "arith/sparse_vec.hpp"
 #include "query/penetration/edge_sum.hpp"
 
 namespace plumb::query::parting {
@@ -18,8 +20,22 @@ class Zonotope {
   [[nodiscard]] const EdgeSum& sum() const { return sum_; }
   [[nodiscard]] std::uint32_t normals() const { return normals_; }
   [[nodiscard]] std::array<std::uint32_t, 2> pair(std::uint32_t normal) const { return normal_[normal].of; }
-  /// Of the overlap over the normal's length, in running errors.
+  /// Of the overlap over the normal's length, in running errors; with the overlap's sign.
   [[nodiscard]] const Running& square(std::uint32_t normal) const { return normal_[normal].square; }
+
+  /// Along a normal of two groups, in running errors: times its length.
+  struct OfNormal {
+    std::array<std::uint32_t, 2> of;
+    Vec<Running> normal;
+    Running reach, middle, overlap, square;
+  };
+  [[nodiscard]] const OfNormal& rough(std::uint32_t normal) const { return normal_[normal]; }
+  /// How much a group other than its two leads along a normal.
+  [[nodiscard]] Running rough_along(std::uint32_t normal, std::uint32_t group) const {
+    const auto [p, q] = normal_[normal].of;
+    const Running& size = determinant_[1U << p | 1U << q | 1U << group];
+    return p < group && group < q ? Running{-size.value, size.error} : size;
+  }
 
   [[nodiscard]] Sign sign_of_overlap(std::uint32_t i) {
     return sign_of([&]<class T>() -> T { return overlap<T>(i); });
@@ -49,12 +65,6 @@ class Zonotope {
   [[nodiscard]] bool is_independent(std::uint32_t body) const;
 
  private:
-  struct OfNormal {
-    std::array<std::uint32_t, 2> of;
-    Vec<Running> normal;
-    Running reach, middle, overlap, square;
-  };
-
   template <class T>
   [[nodiscard]] const SumParts<T>& parts() {
     if constexpr (std::is_same_v<T, Running>) {
@@ -105,6 +115,7 @@ class Zonotope {
   bool is_lost_ = false;
   std::uint32_t normals_ = 0;
   std::array<OfNormal, 15> normal_;
+  std::array<Running, 64> determinant_;  // of three groups in their order, by their bits
 };
 
 }  // namespace plumb::query::parting

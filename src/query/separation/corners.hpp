@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 
+#include "arith/sparse_vec.hpp"
 #include "arith/twofold.hpp"
 #include "arith/vec.hpp"
 #include "plumb/arith/ball.hpp"
@@ -96,6 +97,8 @@ class CoreCorners {
   /// of the axis that is zero where it has no length; nothing where two points differ in several coordinates.
   [[nodiscard]] std::optional<Vector3> axis_of_edge(std::size_t k) const;
   [[nodiscard]] const PoseView& pose() const { return pose_; }
+  /// A box along the axes of space, before its pose?
+  [[nodiscard]] bool is_aligned() const { return aligned_; }
   /// Neither posed, nor moved, nor scaled?
   [[nodiscard]] bool stands() const { return stands_; }
   /// Each of the two is multiplied by the weight of the other's pose, where that is not one.
@@ -207,7 +210,7 @@ class CoreCorners {
       return {along(0, points_[0].x, points_[1].x), along(1, points_[0].y, points_[1].y),
               along(2, points_[0].z, points_[1].z)};
     }
-    return arith::vec<T>(axes_[k]) * T(half_[k]);
+    return arith::sparse_scaled(arith::vec<T>(axes_[k]), T(half_[k]));
   }
   template <class T>
   [[nodiscard]] arith::Vec<T> at_rest(std::size_t i) const {

@@ -148,7 +148,7 @@ class FaceSearch {
   }
 
   std::optional<EdgeFace> run() {
-    constexpr int most_rounds = 24;
+    constexpr int most_rounds = 24;  // a guess: whoever has not ended by then goes round
     for (int round = 0; round < most_rounds; ++round) {
       std::uint32_t worst = size_;
       double most = 0;
@@ -195,7 +195,7 @@ class FaceSearch {
   }
   /// The step from here to where all slopes of the free ones are zero.
   bool solve(std::array<double, 3>& step) const {
-    constexpr double least = 0x1p-40;
+    constexpr double least = 0x1p-40;  // a guess: what is flatter is left to others
     const std::uint32_t i = which_[0], j = which_[1], k = which_[2];
     const auto g = [this](std::uint32_t p, std::uint32_t q) { return product_[p][q]; };
     const double r = -slope(i);

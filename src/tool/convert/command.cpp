@@ -40,10 +40,11 @@ int run_convert(const ConvertOptions& options) {
   OutputFiles outputs({from});
   outputs.promise_mesh("TO", to, options.overwrite ? surface::Replacing::yes : surface::Replacing::no,
                        "give another name, or --overwrite to replace it");
+  const WriteOptions write = write_options(options);
+  format_mesh(PolygonMesh{}, to, write);  // a format that cannot be written is refused before anything is read
   LoadReport report;
   const PolygonMesh mesh = read_input(from, &report, options.files.reading());
   outputs.require_not_read(report.files_beside);
-  const WriteOptions write = write_options(options);
   outputs.write("TO", format_mesh(mesh, to, write));
   if (!outputs.on_standard_output()) {
     const bool triangulated =

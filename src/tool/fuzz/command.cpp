@@ -192,6 +192,30 @@ std::vector<NamedText> report_files(const FuzzReport& r) {
   return files;
 }
 
+/// Report and new cases, all of them or none.
+void keep(const FuzzReport& r) {
+  namespace fs = std::filesystem;
+  std::vector<NamedText> cases;
+  std::vector<PathAndText> of_corpus;
+  std::vector<fs::path> folder;
+  if (const auto& corpus = r.options.corpus) {
+    std::vector<Numbers> smallest;
+    for (const degenerate::Finding& f : r.run.findings.findings) smallest.push_back(f.smallest);
+    cases = new_cases(*corpus, r.kind, smallest);
+    for (const NamedText& file : cases) of_corpus.push_back({fs::path(*corpus) / file.name, file.text});
+    if (!cases.empty()) folder.emplace_back(*corpus);
+    say(fmt::format("{} new in {}\n", cases.size(), printable(*corpus)));
+  }
+  if (const auto& out = r.options.out) {
+    std::vector<NamedText> files = report_files(r);
+    say(fmt::format("{} files in {}\n", files.size(), printable(*out)));
+    write_report(*out, "fuzz", std::move(files), std::move(of_corpus), std::move(folder));
+  } else {
+    flush_output();
+    keep_files(of_corpus, folder);
+  }
+}
+
 int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std::vector<Numbers> corpus) {
   degenerate::CheckOptions check;
   check.seed = o.seed;
@@ -211,17 +235,7 @@ int search(const FuzzOptions& o, const Kind& kind, ForeignProcess& process, std:
                     printable(o.symbol)));
   }
   say(fuzz_text(report, Style(stdout)));
-  if (o.corpus) {
-    std::vector<Numbers> smallest;
-    for (const degenerate::Finding& f : report.run.findings.findings) smallest.push_back(f.smallest);
-    say(fmt::format("{} new in {}\n", grow_corpus(*o.corpus, kind, smallest), printable(*o.corpus)));
-  }
-  if (o.out) {
-    std::vector<NamedText> files = report_files(report);
-    const std::size_t count = files.size();
-    say(fmt::format("{} files in {}\n", count, printable(*o.out)));
-    write_report(*o.out, "fuzz", std::move(files));
-  }
+  keep(report);
   return report.found.empty() ? 0 : 1;
 }
 

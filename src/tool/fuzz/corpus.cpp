@@ -13,7 +13,6 @@
 #include "plumb/degenerate/paste.hpp"
 #include "plumb/query/kinds/kinds.hpp"
 #include "tool/terminal/terminal.hpp"
-#include "tool/terminal/write_folder.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -78,15 +77,14 @@ std::vector<Numbers> read_corpus(const std::string& folder, const Kind& kind) {
   return cases;
 }
 
-std::size_t grow_corpus(const std::string& folder, const Kind& kind, std::span<const Numbers> cases) {
+std::vector<NamedText> new_cases(const std::string& folder, const Kind& kind, std::span<const Numbers> cases) {
   std::vector<NamedText> files;
   for (const Numbers& numbers : cases) {
     std::string name = file_name(kind, numbers);
     const bool known = fs::exists(fs::path(folder) / name) || std::ranges::count(files, name, &NamedText::name) > 0;
     if (!known) files.push_back({std::move(name), case_line(kind, numbers) + "\n"});
   }
-  if (!files.empty()) add_files(folder, files);
-  return files.size();
+  return files;
 }
 
 }  // namespace plumb::tool

@@ -169,7 +169,8 @@ void serve_foreign(const ForeignCode& code, ForeignBoard& board, int requests, i
   ::madvise(&board, sizeof board, MADV_DONTFORK);  // a copy of this process that comes back from the call ends here
   degenerate::ForeignFunction function = nullptr;
   std::string refusal = find_function(code, function);
-  if (refusal.empty() && !guarded.made(code.kind.arguments.size())) refusal = "no memory for the foreign code";
+  if (refusal.empty() && !guarded.made(code.kind.arguments.size()))
+    refusal = fmt::format("no memory to call {}", code.library);
   const auto room = [&](std::size_t argument, std::size_t bytes) { return guarded.room(argument, bytes); };
   set_text(board, refusal);
   board.state.store(refusal.empty() ? ForeignBoard::State::serving : ForeignBoard::State::refused);

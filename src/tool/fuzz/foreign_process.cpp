@@ -32,13 +32,14 @@ constexpr milliseconds kGlance(20);  // how often a silent child is looked at
 constexpr int kLoading = 10;         // times what a call may take
 
 /// Not among the standard streams, of which some may be closed: the child turns those to nowhere.
-std::array<int, 2> make_pipe() {
+std::array<int, 2> make_pipe(const ForeignCode& code) {
   std::array<int, 2> ends{}, high{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC) == 0) {
     for (std::size_t i = 0; i < 2; ++i) high[i] = ::fcntl(ends[i], F_DUPFD_CLOEXEC, 3);
     for (const int end : ends) ::close(end);
   }
-  if (high[0] < 0 || high[1] < 0) throw Error(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+  if (high[0] < 0 || high[1] < 0)
+    throw Error(fmt::format("cannot make a pipe to {}: {}", printable(code.library), std::strerror(errno)));
   return high;
 }
 
@@ -81,7 +82,7 @@ void ForeignProcess::allow(std::size_t replacements, std::size_t hangs) {
 }
 
 void ForeignProcess::start_child() {
-  std::array<int, 2> to = make_pipe(), from = make_pipe();
+  std::array<int, 2> to = make_pipe(code_), from = make_pipe(code_);
   board_->state = ForeignBoard::State::loading;
   board_->at = ForeignBoard::no_case;
   flush_output();  // or a child that exits would write it once more
@@ -99,7 +100,7 @@ void ForeignProcess::start_child() {
   child_ = child;
   if (child < 0) {
     end_child();
-    throw Error(fmt::format("cannot start a process: {}", std::strerror(error)));
+    throw Error(fmt::format("cannot start a process for {}: {}", printable(code_.library), std::strerror(error)));
   }
   const Reply reply = wait_for_reply(kLoading * limits_.call);
   if (reply == Reply::done && board_->state == ForeignBoard::State::serving) return;

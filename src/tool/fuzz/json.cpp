@@ -22,7 +22,7 @@ json json_of(const FuzzReport& r, const SortOfFailure& found) {
   json numbers = json::array();
   for (const double x : f.smallest) numbers.push_back(hexadecimal(x));
   return {{"sort", printable(f.sort)},
-          {"generators", found.generators},
+          {"found_by", found.generators},
           {"generator", f.generator},
           {"index", f.index},
           {"degenerate", f.degenerate},
@@ -58,7 +58,7 @@ json fuzz_json(const FuzzReport& r) {
                                {"failed", t.failed},
                                {"degenerate_cases", t.degenerate},
                                {"unsure", t.unsure},
-                               {"passed_over", t.passed_over}});
+                               {"none_in_domain", t.passed_over}});
   }
   j["findings"] = json::array();
   for (const SortOfFailure& f : r.found) j["findings"].push_back(json_of(r, f));

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 struct HelpOptions {
   Manual (*of_program)();
+  std::string (*instead)(const std::string& word);
   std::string command{};
   bool roff = false;
   std::optional<std::string> pages{};  // a folder such as /usr/share
@@ -47,17 +48,23 @@ int write_pages(const fs::path& folder, const CLI::App& program, Manual (*of_pro
   for (const ShellScript& s : shell_scripts)
     pages.emplace_back(s.place(name), s.script(name, shapes_of(program, commands)));
   std::vector<PathAndText> files;
+  std::vector<fs::path> folders;
+  const auto add_parents = [&folders](const fs::path& file) {
+    fs::path parent;
+    for (const fs::path& step : file.parent_path()) folders.push_back(parent /= step);
+  };
   for (const auto& [place, text] : pages) {
-    std::error_code error;
-    fs::create_directories((folder / place).parent_path(), error);
-    if (error)
-      throw Error(
-          fmt::format("cannot write into {}: {}", printable((folder / place).parent_path().string()), error.message()));
     files.push_back({folder / place, text});
+    add_parents(files.back().path);
+  }
+  for (const fs::path& parent : folders) {
+    std::error_code error;
+    if (fs::exists(parent, error) && !fs::is_directory(parent, error))
+      throw Error(fmt::format("cannot write into {}: it is no folder", printable(parent.string())));
   }
   say(fmt::format("{} files in {}\n", files.size(), printable(folder.string())));
   flush_output();
-  keep_files(files);
+  keep_files(files, folders);
   return 0;
 }
 
@@ -66,8 +73,10 @@ int run_help(const HelpOptions& o, const CLI::App& program, const std::vector<Co
   const auto named =
       std::ranges::find_if(commands, [&](const Command& c) { return c.parser->get_name() == o.command; });
   if (!o.command.empty() && named == commands.end()) {
+    const std::string other = o.instead(o.command);
     throw Error(fmt::format("there is no command {}{}; '{} help' lists them", printable(o.command),
-                            suggestion(o.command, names_of(commands)), program.get_name()));
+                            other.empty() ? suggestion(o.command, names_of(commands)) : ": " + other,
+                            program.get_name()));
   }
   const Command* const command = o.command.empty() ? nullptr : &*named;
   if (o.roff) {
@@ -86,8 +95,9 @@ void show_page(const CLI::App& program, const Command* command, Manual (*of_prog
                          : manual_page(of_program(), shown_options(program), style));
 }
 
-Command help_command(CLI::App& program, const Commands& commands, Manual (*of_program)()) {
-  const auto options = std::make_shared<HelpOptions>(HelpOptions{of_program});
+Command help_command(CLI::App& program, const Commands& commands, Manual (*of_program)(),
+                     std::string (*instead)(const std::string& word)) {
+  const auto options = std::make_shared<HelpOptions>(HelpOptions{of_program, instead});
   CLI::App* const parser = program.add_subcommand("help", "Show the page of a command.");
   parser->add_option("COMMAND", options->command, "Whose page; the program's when not given.");
   CLI::Option* const roff = parser->add_flag("--roff", options->roff, "Print the page as source for man(1).");

@@ -43,8 +43,9 @@ Command distance_command(CLI::App& program);
 Command doctor_command(CLI::App& program);
 Command completion_command(CLI::App& program, const Commands& known);
 Command fuzz_command(CLI::App& program);
-/// `of_program` is the program's own page.
-Command help_command(CLI::App& program, const Commands& known, Manual (*of_program)());
+/// `of_program` is the program's own page; `instead` says what there is in the place of a command that there is not.
+Command help_command(CLI::App& program, const Commands& known, Manual (*of_program)(),
+                     std::string (*instead)(const std::string& word));
 Command inside_command(CLI::App& program);
 Command intersect_command(CLI::App& program);
 Command nearest_command(CLI::App& program);

@@ -21,6 +21,9 @@ std::string instead_of(const std::string& word) {
                              solids =
                                  "solids are not united, cut or intersected yet; 'plumb intersect A B' finds where "
                                  "two meshes cross, 'plumb section' cuts one by planes",
+                             offsets =
+                                 "meshes are not offset or thickened yet; 'plumb distance' says how far two are apart, "
+                                 "the library asks about all within a radius of a figure (Fat, docs/closest.md)",
                              repair =
                                  "meshes are not mended yet; 'plumb check' says what is wrong with them, 'plumb "
                                  "intersect --obj' shows where they cross themselves",
@@ -32,20 +35,32 @@ std::string instead_of(const std::string& word) {
                                  "distance' how far two meshes are apart, the library when moving figures meet",
                              hulls =
                                  "'plumb convex' answers for the convex hulls of meshes; the library makes hulls "
-                                 "(convex_hull, docs/hulls.md)";
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 28> known{{
+                                 "(convex_hull, docs/hulls.md)",
+                             python = "there is no Python module yet; every command that answers writes --json";
+
+  // What words begin with that mean the same: "booleans", "boolean-union", "Booleans".
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 46> stems{{
       {"chart", laboratory},    {"stability", laboratory}, {"vectors", laboratory}, {"boolean", solids},
       {"union", solids},        {"unite", solids},         {"difference", solids},  {"subtract", solids},
-      {"intersection", solids}, {"csg", solids},           {"arrange", solids},     {"repair", repair},
-      {"mend", repair},         {"fix", repair},           {"heal", repair},        {"weld", repair},
-      {"fill", repair},         {"simplify", repair},      {"remesh", repair},      {"decompose", parts},
-      {"parts", parts},         {"vhacd", parts},          {"scene", scenes},       {"simulate", scenes},
-      {"collide", scenes},      {"motion", scenes},        {"hull", hulls},         {"convex-hull", hulls},
+      {"intersection", solids}, {"csg", solids},           {"arrange", solids},     {"carve", solids},
+      {"offset", offsets},      {"thicken", offsets},      {"inflate", offsets},    {"minkowski", offsets},
+      {"repair", repair},       {"mend", repair},          {"fix", repair},         {"heal", repair},
+      {"clean", repair},        {"weld", repair},          {"stitch", repair},      {"fill", repair},
+      {"simplif", repair},      {"decimate", repair},      {"remesh", repair},      {"reorient", repair},
+      {"convexdecomp", parts},  {"convexpart", parts},     {"convexpiece", parts},  {"decompos", parts},
+      {"partition", parts},     {"vhacd", parts},          {"coacd", parts},        {"acd", parts},
+      {"scene", scenes},        {"simulat", scenes},       {"physics", scenes},     {"colli", scenes},
+      {"motion", scenes},       {"ccd", scenes},           {"hull", hulls},         {"convexhull", hulls},
+      {"python", python},       {"quickhull", hulls},
   }};
-  for (const auto& [name, text] : known) {
-    if (word == name) return std::string(text);
+  std::string plain;
+  for (const char c : word) {
+    if (c != '-' && c != '_' && c != ' ') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
-  return {};
+  for (const auto& [stem, text] : stems) {
+    if (plain.starts_with(stem)) return std::string(text);
+  }
+  return plain == "parts" ? std::string(parts) : "";
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 class Program {
  public:
   explicit Program(const ProgramFacts& facts) : facts_(facts), app_("", facts.name), commands_(facts.commands(app_)) {
-    commands_.push_back(help_command(app_, known_, facts.manual));
+    commands_.push_back(help_command(app_, known_, facts.manual, facts.instead));
     commands_.push_back(completion_command(app_, known_));
     app_.require_subcommand(0, 1);  // once there is a command, the next word is no other, but may be a file of its name
     add_common_options(app_);
@@ -154,7 +154,7 @@ int leave_with_reader() {
 
 int run_program(const ProgramFacts& facts, int argc, char** argv) try {
   be_named(facts.name);
-  end_without_memory(argc, argv);
+  end_without_memory(facts.name, argc, argv);
   std::signal(SIGPIPE, SIG_IGN);  // a reader that left is learned of where output is written, not by sudden death
   std::signal(SIGXFSZ, SIG_IGN);  // and so of a file that may not grow so large (ulimit -f)
   Program program(facts);

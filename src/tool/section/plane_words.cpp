@@ -5,9 +5,12 @@
 #include "plumb/arith/error.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/decimal_range.hpp"
+#include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
 namespace {
+
+constexpr std::string_view forms_of_planes = "a plane is z=HEIGHT, NX,NY,NZ,OFFSET or three points (nine numbers)";
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -27,8 +30,10 @@ NamedPlane at_height(char axis, const Decimal& height) {
 }  // namespace
 
 std::vector<NamedPlane> planes_of(std::string_view words) {
-  const std::string what = fmt::format("--plane {}", words);
-  if (words.size() > 2 && words[1] == '=' && words[0] >= 'x' && words[0] <= 'z') {
+  const std::string what = fmt::format("--plane {}", printable(words));
+  if (words.find('=') != std::string_view::npos) {
+    if (words.size() < 3 || words[1] != '=' || words[0] < 'x' || words[0] > 'z')
+      throw Error(fmt::format("{}: the axis is x, y or z; {}", what, forms_of_planes));
     const auto heights = split(words.substr(2), ':');
     std::vector<NamedPlane> planes;
     if (heights.size() == 1) {
@@ -46,8 +51,7 @@ std::vector<NamedPlane> planes_of(std::string_view words) {
   if (x.size() == 4) return {{name, Plane3{{x[0], x[1], x[2]}, x[3]}, exact}};
   if (x.size() == 9)
     return {{name, ThreePointPlane3{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}}, exact}};
-  throw Error(fmt::format(
-      "{}: this has {} numbers; a plane is z=HEIGHT, NX,NY,NZ,OFFSET or three points (nine numbers)", what, x.size()));
+  throw Error(fmt::format("{}: this has {} numbers; {}", what, x.size(), forms_of_planes));
 }
 
 }  // namespace plumb::tool

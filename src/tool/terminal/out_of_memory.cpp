@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <string_view>
 
 namespace plumb::tool {
 namespace {
@@ -67,9 +66,9 @@ void reserve_stack() {
 
 }  // namespace
 
-void end_without_memory(int argc, char** argv) {
+void end_without_memory(std::string_view program, int argc, char** argv) {
   line_length = 0;
-  add("plumb: out of memory: plumb");
+  add(program), add(": out of memory: "), add(program);
   for (int k = 1; k < argc; ++k) add(" "), add(argv[k]);
   line[line_length] = '\n';
   reserve_stack();

@@ -10,11 +10,12 @@
 #pragma once
 
 #include <new>
+#include <string_view>
 
 namespace plumb::tool {
 
-/// From now on, in this process.
-void end_without_memory(int argc, char** argv);
+/// From now on, in this process, whose line begins with the program's name.
+void end_without_memory(std::string_view program, int argc, char** argv);
 
 /// The line, to standard error, after everything said so far; allocates nothing.
 void say_out_of_memory();

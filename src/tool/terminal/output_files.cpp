@@ -43,21 +43,29 @@ bool is_same_file(const std::string& a, const std::string& b) {
   return whole(a) == whole(b);
 }
 
-/// A folder that is made where it is missing, and is gone again where nothing came to be in it.
-class MadeFolder {
+/// Folders that are made where they are missing, and are gone again where nothing came to be in them.
+class MadeFolders {
  public:
-  /// Throws std::system_error; of no name, makes none.
-  explicit MadeFolder(const fs::path& path) : path_(path), made_(!path.empty() && fs::create_directory(path)) {}
-  MadeFolder(const MadeFolder&) = delete;
-  MadeFolder& operator=(const MadeFolder&) = delete;
-  ~MadeFolder() {
+  MadeFolders() = default;
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+  ~MadeFolders() {
     std::error_code holds_something;
-    if (made_) fs::remove(path_, holds_something);
+    for (; !made_.empty(); made_.pop_back()) fs::remove(made_.back(), holds_something);
+  }
+
+  /// Throws std::system_error where that cannot be, its parent be there or not.
+  void make(const fs::path& path) {
+    made_.push_back(path);  // now, for this may throw
+    std::error_code error;
+    if (fs::create_directory(path, error)) return;
+    made_.pop_back();
+    if (error == std::errc::file_exists) error = std::make_error_code(std::errc::not_a_directory);
+    if (error) throw std::system_error(error);
   }
 
  private:
-  fs::path path_;
-  bool made_;
+  std::vector<fs::path> made_;
 };
 
 [[noreturn]] void refuse(const fs::path& path, const std::system_error& e) {
@@ -173,22 +181,27 @@ void probe_file(const fs::path& path, Replacing replacing) {
 
 void probe_folder(const fs::path& folder) {
   const HeldSignals held;
-  const MadeFolder made(folder);
+  MadeFolders made;
+  made.make(folder);
   const StagedFile probe(folder / "report", "");  // some systems' rights promise what is not so
 }
 
-void keep_files(const std::vector<PathAndText>& files, const fs::path& folder) {
-  const PathAndText* at = nullptr;
+void keep_files(const std::vector<PathAndText>& files, const std::vector<fs::path>& folders) {
+  const fs::path* at = nullptr;
   try {
     std::vector<StagedFile> in_place;  // a pipe may wait for who reads: signals are obeyed meanwhile
-    std::vector<const PathAndText*> of_in_place;
+    std::vector<const fs::path*> of_in_place;
     {
       const HeldSignals held;
-      const MadeFolder made(folder);
+      MadeFolders made;
+      for (const fs::path& folder : folders) {
+        at = &folder;
+        made.make(folder);
+      }
       std::vector<StagedFile> staged;
-      std::vector<const PathAndText*> of_staged;
+      std::vector<const fs::path*> of_staged;
       for (const PathAndText& file : files) {
-        at = &file;
+        at = &file.path;
         StagedFile next(file.path, file.text, file.replacing);
         (next.in_place() ? of_in_place : of_staged).push_back(at);
         (next.in_place() ? in_place : staged).push_back(std::move(next));
@@ -204,7 +217,7 @@ void keep_files(const std::vector<PathAndText>& files, const fs::path& folder) {
       in_place[k].keep();
     }
   } catch (const std::system_error& e) {
-    refuse(at != nullptr ? at->path : folder, e);
+    refuse(*at, e);
   }
 }
 

@@ -80,8 +80,8 @@ void probe_file(const std::filesystem::path& path, surface::Replacing replacing 
 /// The same for files in a folder that may be missing, if only its parent is there.
 void probe_folder(const std::filesystem::path& folder);
 
-/// All of the files or, as far as the system lets it, none; throws Error, which names the file. The folder, if one is
-/// named, is made where it is missing.
-void keep_files(const std::vector<PathAndText>& files, const std::filesystem::path& folder = {});
+/// All of the files or, as far as the system lets it, none; throws Error, which names the file. The folders are made in
+/// turn where they are missing, and none is left where no file came to be in it.
+void keep_files(const std::vector<PathAndText>& files, const std::vector<std::filesystem::path>& folders = {});
 
 }  // namespace plumb::tool

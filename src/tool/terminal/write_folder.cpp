@@ -48,7 +48,10 @@ void require_none_of(const std::vector<PathAndText>& others, const fs::path& pat
 
 }  // namespace
 
-void require_folder(const std::string& folder) try { probe_folder(folder); } catch (const std::system_error& e) {
+void require_folder(const std::string& folder) try {
+  probe_folder(folder);
+  outlive_reader();
+} catch (const std::system_error& e) {
   throw Error(fmt::format("cannot write into {}: {}", printable(folder), e.code().message()));
 }
 
@@ -59,7 +62,7 @@ void require_report_folder(const std::string& folder, std::string_view command, 
 }
 
 void write_report(const std::string& folder, std::string_view command, std::vector<NamedText> files,
-                  std::vector<PathAndText> beside) {
+                  std::vector<PathAndText> beside, std::vector<fs::path> folders_beside) {
   std::set<std::string> stale = files_of_older(folder, command);
   for (const std::string& name : stale) require_none_of(beside, fs::path(folder) / name);
   std::string list;
@@ -74,15 +77,10 @@ void write_report(const std::string& folder, std::string_view command, std::vect
   std::vector<fs::path> gone;  // named now: once the files are kept, nothing may fail
   for (const std::string& name : stale) gone.push_back(fs::path(folder) / name);
   flush_output();  // what cannot be said is no success either
-  keep_files(beside, folder);
+  folders_beside.emplace_back(folder);
+  keep_files(beside, folders_beside);
   std::error_code ignored;
   for (const fs::path& path : gone) fs::remove(path, ignored);
-}
-
-void add_files(const std::string& folder, const std::vector<NamedText>& files) {
-  std::vector<PathAndText> all;
-  for (const NamedText& file : files) all.push_back({fs::path(folder) / file.name, file.text});
-  keep_files(all, folder);
 }
 
 }  // namespace plumb::tool

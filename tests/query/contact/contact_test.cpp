@@ -339,6 +339,37 @@ TEST(Contact, IdsPersistAndNormalsDoNotFlip) {
   EXPECT_GT(std::min({seen[0], seen[1], seen[2]}), 0);
 }
 
+/// Boxes, as they stand and under a rigid pose, that tremble, jump, touch and part.
+TEST(Contact, ACacheOfOtherFramesChangesNothing) {
+  std::array<int, 3> seen{};
+  for (std::uint64_t i = 0; i < (battery::sanitized ? 10U : 400U); ++i) {
+    Entropy entropy(46, i);
+    const auto noise = [&](double size) { return size * (static_cast<double>(entropy.bits(53)) * 0x1p-52 - 1); };
+    const double tremor = std::ldexp(1.0, -static_cast<int>(entropy.bits(6))), turn = noise(3);
+    const Vector3 half{0.5, 0.25 + 0.25 * static_cast<double>(entropy.bits(1)), 0.5};
+    const Obb3 under = turned_box({0, 0, 0}, noise(3), i % 3 == 0 ? noise(1) : 0, {1 + noise(0.5), 0.5, 1});
+    const Vector3 up = under.axes[1];
+    ContactCache cache;
+    for (int frame = 0; frame < 6; ++frame) {
+      const double height = 0.5 + half.y + (frame == 3 ? noise(1) : noise(tremor));
+      Obb3 box = i % 2 == 0 ? turned_box({0, 0, 0}, turn + noise(tremor), noise(tremor), half) : under;
+      if (i % 2 != 0) box.half = half;  // its edges are parallel to those of the other
+      box.center = {up.x * height + noise(tremor), up.y * height, up.z * height + noise(tremor)};
+      const ContactManifoldOptions options{.margin = 0.5};
+      const auto m = contact(box, under, options, &cache);
+      EXPECT_EQ(m, contact(box, under, options)) << i << " frame " << frame;
+      if (m) ++seen[static_cast<std::size_t>(static_cast<int>(m->relation) + 1)];
+      const RigidPose pose{{1, noise(tremor), 0.25, 0}, {0.1, 0, 0}};
+      if (i % 5 == 0) {
+        const Posed posed{box, pose};
+        EXPECT_EQ(contact(posed, under, options, &cache), contact(posed, under, options)) << i << " frame " << frame;
+      }
+    }
+  }
+  std::printf("apart %d, touching %d, overlapping %d\n", seen[0], seen[1], seen[2]);
+  EXPECT_GT(std::min(seen[0], seen[2]), 0);
+}
+
 /// A capsule that rolls keeps its two corners, a ball its one.
 TEST(Contact, OfWhatRolls) {
   const Aabb3 ground{{-20, -1, -20}, {20, 0, 20}};

@@ -122,6 +122,8 @@ struct ExactContact {
 struct ContactCache {
   std::array<std::array<std::uint32_t, 2>, 4> corners{};  // of the difference
   std::uint32_t size = 0;
+  std::array<std::array<std::uint32_t, 2>, 2> edges{};  // of boxes: the body and its edge, where a plane is along both
+  bool has_edges = false;
 };
 
 struct ContactManifoldOptions {

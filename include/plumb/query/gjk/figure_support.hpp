@@ -17,7 +17,7 @@
 // doubles BeyondDoubles.
 // Source: RTCD 9.5.3; van den Bergen 1999 (support mappings of quadrics).
 // Cost: that of support_point a step beside that of gjk_bounds; some microseconds more under a pose.  Bounded by
-// most_steps, of which each takes n operations of support_point.
+// n operations of support_point a step for n corners; of steps round figures take some tens.
 #pragma once
 
 #include "plumb/figure/support/support.hpp"

@@ -10,8 +10,9 @@
 // Round figures take rigid poses, and those whose columns are at right angles and of one length, which is rational, exactly: UnevenPose
 // else.  An empty figure and a polygon that is not planar throw InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.1.
-// Cost: boxes, capsules and balls under rigid poses 0.4 us, under a chain 0.5 us a link more; polyhedra some microseconds;
-// rationals else, and where several pairs are nearest or figures meet: some 100 us for two boxes.
+// Cost: boxes, capsules and balls under rigid poses 0.4 us, under a chain 0.5 us a link more; others some microseconds, by
+// doubles with a bound; rationals where these do not tell, as of several nearest pairs and of figures that meet: some 100 us.
+// Bounded by n^2 signs for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/overlap/posed_distance.hpp"

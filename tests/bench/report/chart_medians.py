@@ -11,7 +11,7 @@ trials = run.pop("trials")
 rows = {}
 for trial in trials:
     rows[f"{trial['task']}, {trial['class']}"] = {
-        m["method"]: [m["wrong"], m["asked"], float(f"{m['ns']:.3g}")] for m in trial["methods"]
+        m["method"]: [m["wrong"], m["asked"], float(f"{m['query_ns']:.3g}")] for m in trial["methods"]
     }
 head = ",\n".join(f"{json.dumps(key)}: {json.dumps(value)}" for key, value in run.items())
 body = ",\n".join(f"{json.dumps(key)}: {json.dumps(value, separators=(',', ':'))}" for key, value in rows.items())

@@ -1,0 +1,111 @@
+// What is asked of two bodies in contact, and what is known of it: their corners and radii, the normal, and the features
+// that face each other.
+//
+// Laws: radii are doubles where `are_doubles`, else exact alone.  The normal leads from a to b.
+// Source: query/contact/aim.hpp.
+// Cost: that of the aim.
+#pragma once
+
+#include <string_view>
+
+#include "query/contact/clipped_features.hpp"
+#include "query/convex/exact_gap.hpp"
+#include "query/separation/convex_body.hpp"
+
+namespace plumb::query::touching {
+
+/// As doubles where all of them are, and without rounding.
+class Radii {
+ public:
+  Radii(std::string_view function, const BodyView& a, const BodyView& b) {
+    given_ = {radius_of(a), radius_of(b)};
+    if ((given_[0] == 0 || a.pose.stands()) && (given_[1] == 0 || b.pose.stands())) return;
+    const std::array<Body, 2> bodies = bodies_of(function, a, b);
+    posed_ = {bodies[0].radius, bodies[1].radius};
+    for (std::size_t i = 0; i < 2; ++i) {
+      given_[i] = (*posed_)[i].get_d();
+      are_doubles_ = are_doubles_ && given_[i] == (*posed_)[i];
+    }
+  }
+  [[nodiscard]] bool are_doubles() const { return are_doubles_; }
+  [[nodiscard]] double given(std::size_t i) const { return given_[i]; }
+  [[nodiscard]] mpq_class exact(std::size_t i) const { return posed_ ? (*posed_)[i] : mpq_class(given_[i]); }
+  [[nodiscard]] bool are_none() const { return given_[0] == 0 && given_[1] == 0; }
+
+ private:
+  std::array<double, 2> given_{};
+  std::optional<std::array<mpq_class, 2>> posed_;
+  bool are_doubles_ = true;
+};
+
+template <class T>
+Vec<T> turned_back(const Vec<T>& v) {
+  return Vec<T>{T(0.0), T(0.0), T(0.0)} - v;
+}
+
+/// What is asked about.
+class Pair {
+ public:
+  Pair(std::string_view function, const BodyView& a, const BodyView& b, double margin, ContactCache* cache)
+      : views_{a, b}, corners_(corners_of(function, a, b)), radii_(function, a, b), margin_(margin) {
+    const auto before = cache != nullptr ? cached_aim(difference(), *cache) : std::nullopt;
+    is_as_before_ = before.has_value();
+    before ? take(*before) : aim(true, cache);
+  }
+  Pair(const Pair&) = delete;  // what is seen refers to it
+  Pair& operator=(const Pair&) = delete;
+  ~Pair() = default;
+
+  void aim(bool may_guess, ContactCache* cache) { take(aim_at(difference(), may_guess, cache)); }
+  [[nodiscard]] bool is_proved() const { return aim_->is_proved; }
+  /// Did it begin with what the cache holds?
+  [[nodiscard]] bool is_as_before() const { return is_as_before_; }
+
+  [[nodiscard]] Difference difference() const { return {corners_[0], corners_[1]}; }
+  [[nodiscard]] const Radii& radii() const { return radii_; }
+  [[nodiscard]] double margin() const { return margin_; }
+
+  /// From b to a.
+  [[nodiscard]] const Way& way() const { return aim_->way; }
+  /// From a to b.
+  template <class T>
+  [[nodiscard]] Vec<T> normal() const {
+    return turned_back(aim_->way.along<T>(difference()));
+  }
+  /// How far the cores are apart along the normal, times its length.
+  template <class T>
+  [[nodiscard]] T height(const Vec<T>& normal) const {
+    return T(0.0) - sparse_dot(normal, difference().at<T>(aim_->at));
+  }
+  [[nodiscard]] Seen seen(std::size_t i) const {
+    return {views_[i],
+            corners_[i],
+            aim_->at[i],
+            i == 0 ? known_->a : known_->b,
+            aim_->level ? &(*aim_->level)[i] : nullptr,
+            aim_->all ? &(*aim_->all)[i] : nullptr};
+  }
+
+ private:
+  void take(const Aim& aim) {
+    aim_.emplace(aim);
+    known_.emplace(aim.way.known(difference()));
+  }
+
+  std::array<BodyView, 2> views_;
+  std::array<CoreCorners, 2> corners_;
+  Radii radii_;
+  double margin_;
+  std::optional<Aim> aim_;
+  std::optional<parting::KnownPlane> known_;
+  bool is_as_before_ = false;
+};
+
+/// The features that face each other, and the corners of what they have in common.
+struct Matched {
+  std::array<Seen, 2> seen;
+  std::array<Facing, 2> facing;
+  FoundCorners corners;
+};
+
+}  // namespace plumb::query::touching
