@@ -221,9 +221,9 @@ class CoreCorners {
     arith::Vec<T> p = arith::vec<T>(points_[0]);
     for (std::size_t k = 0; k < ways_; ++k) {
       if ((i >> k & 1) != 0) {
-        p = p + way_at_rest<T>(k);
+        p = arith::sparse_sum(p, way_at_rest<T>(k));
       } else if (both_) {
-        p = p - way_at_rest<T>(k);
+        p = arith::sparse_difference(p, way_at_rest<T>(k));
       }
     }
     return p;
