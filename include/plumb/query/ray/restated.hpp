@@ -18,10 +18,6 @@ namespace plumb {
 
 namespace query {
 
-template <class Ray>
-concept StraightRay = Figure<Ray> &&
-    is_one_of(figure_kind<Ray>, {FigureKind::line, FigureKind::ray, FigureKind::segment});
-
 inline KDop2 k_dop_of(const Vector2& normal, double min, double max) { return {Directions2({normal}), {min}, {max}}; }
 inline KDop3 k_dop_of(const Vector3& normal, double min, double max) { return {Directions3({normal}), {min}, {max}}; }
 
