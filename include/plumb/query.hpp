@@ -51,7 +51,6 @@
 
 // What have they in common?  intersection
 #include "plumb/certify/exact_point.hpp"                // a corner as it is
-#include "plumb/query/section/flat.hpp"                 // of polygons and rectangles, of oriented boxes of the plane
 #include "plumb/query/section/intersection.hpp"         // in space
 #include "plumb/query/section/intersection2.hpp"        // in the plane
 #include "plumb/query/section/intersection_result.hpp"  // nothing, a point, a segment, a polygon

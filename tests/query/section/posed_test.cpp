@@ -4,7 +4,6 @@
 
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/hull/hull3.hpp"
-#include "plumb/query/section/flat.hpp"
 #include "query/body/pair_laws.hpp"
 #include "query/body/pair_types.hpp"
 #include "query/body/posed_cases.hpp"

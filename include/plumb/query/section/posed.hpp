@@ -2,7 +2,7 @@
 //
 //   intersection(Posed{triangle, pose}, Posed{other, pose})   the image of what they have in common
 //
-// Laws: those of query/section/intersection.hpp, intersection2.hpp, flat.hpp and solid.hpp, of the exact images, in every
+// Laws: those of query/section/intersection.hpp, intersection2.hpp and solid.hpp, of the exact images, in every
 // pair of theirs but of planes alone, one or both posed, in either order.  What a singular matrix flattens is the flat
 // figure that it becomes.  Corners that are no doubles are held as rational points.
 // A polygon that is not convex throws InvalidShape, NaN and infinity NonFinite, by name.
