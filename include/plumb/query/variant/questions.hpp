@@ -45,7 +45,7 @@ PosedView any_view(const Shape& s) {
 }
 
 template <class S>
-concept AnyOrKind = std::same_as<S, AnyFigure> || OfAnyFigure<S>;
+concept AnyOrKind = std::same_as<S, AnyFigure> || PosedOrNot<S>;
 /// One of them at least is known at run time alone.
 template <class A, class B>
 concept AnyPair = (std::same_as<A, AnyFigure> || std::same_as<B, AnyFigure>)&&AnyOrKind<A>&& AnyOrKind<B>;
