@@ -8,9 +8,6 @@
 namespace plumb::query {
 namespace {
 
-bool is_plane(const PosedView& v) {
-  return is_one_of(v.figure.kind, {FigureKind::plane, FigureKind::three_point_plane});
-}
 bool is_solid(const PosedView& v) {
   return is_one_of(v.figure.kind,
                    {FigureKind::halfspace, FigureKind::tetrahedron, FigureKind::aabb, FigureKind::obb,
@@ -24,7 +21,7 @@ AnyIntersection any_intersection(const PosedView& a, const PosedView& b) {
   if (is_posed_view(a) || is_posed_view(b)) {
     if (a.figure.dimension == 2) return posed_intersection2(a, b);
     if (is_solid(a) && is_solid(b)) return posed_solid(a, b);
-    if (is_plane(a) && is_plane(b)) refuse_pair("intersection of planes under poses", a.figure, b.figure);
+    if (is_plane_kind(a.figure.kind) && is_plane_kind(b.figure.kind)) return posed_planes(a, b);
     return posed_intersection3(a, b);
   }
   if (b.figure.kind < a.figure.kind) return any_intersection(b, a);
