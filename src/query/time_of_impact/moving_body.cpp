@@ -73,7 +73,7 @@ class Maker {
 
 }  // namespace
 
-std::optional<double> scale_of(const PoseView& pose) {
+std::optional<double> scale_of(const AnyPoseView& pose) {
   if (is_rigid(pose)) return 1;
   const auto square = squared_scale(exact_map(pose), 3);
   if (!square) return {};

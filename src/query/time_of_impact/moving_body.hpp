@@ -65,7 +65,7 @@ Vec3<T> bring_to_one_weight(MovingBody<T>& a, MovingBody<T>& b, const Vec3<T>& v
 template <class T>
 MovingBody<T> moving_body(const PosedView& shape);
 /// What a pose multiplies lengths by in space, where that is one number for all, and a double.
-std::optional<double> scale_of(const PoseView& pose);
+std::optional<double> scale_of(const AnyPoseView& pose);
 extern template MovingBody<Running> moving_body(const PosedView&);
 extern template MovingBody<Ball> moving_body(const PosedView&);
 extern template MovingBody<BigDyadic> moving_body(const PosedView&);

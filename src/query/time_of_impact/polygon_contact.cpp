@@ -97,7 +97,7 @@ struct MovingPolygon {
     return cross(chains.vertices[chains.span[1]] - from, chains.vertices[chains.span[2]] - from);
   }
 
-  PoseView pose;
+  AnyPoseView pose;
   const Vector3* by;
   SpannedChains chains;
   std::vector<ChainEdge> edges;

@@ -11,8 +11,7 @@ AnyIntersection any_intersection(const PosedView& a, const PosedView& b) {
   if (is_posed_view(a) || is_posed_view(b)) {
     if (a.figure.dimension == 2) return posed_intersection2(a, b);
     if (is_solid_kind(a.figure.kind) && is_solid_kind(b.figure.kind)) return posed_solid(a, b);
-    if (is_plane_kind(a.figure.kind) && is_plane_kind(b.figure.kind))
-      refuse_pair("intersection of planes under poses", a.figure, b.figure);
+    if (is_plane_kind(a.figure.kind) && is_plane_kind(b.figure.kind)) return posed_planes(a, b);
     return posed_intersection3(a, b);
   }
   if (b.figure.kind < a.figure.kind) return any_intersection(b, a);

@@ -33,7 +33,7 @@ namespace plumb {
 /// A body as it was read; the first of these is a hull.
 struct RecordedBody {
   std::variant<std::vector<Point3>, Sphere3, Capsule3, Lozenge3, Aabb3, Obb3, Rectangle3> shape;
-  std::optional<std::variant<Pose, RigidPose, RigidChain>> pose;
+  AnyPose pose;
 };
 
 struct RecordedProof {

@@ -25,7 +25,7 @@ namespace plumb {
 /// A body of any type; refers to the shape, which has to live on.  Of a figure of your own give a RoundedHull3.
 using AnyBody3 = query::BodyView;
 template <ConvexBody3 Shape>
-requires(!RoundedHullFigure<Shape>)  //
+requires(!RoundedHullFigure<query::UnposedType<Shape>>)  //
     AnyBody3 any_body(const Shape& shape) {
   return query::body_view(shape);
 }
