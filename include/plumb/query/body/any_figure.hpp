@@ -17,6 +17,7 @@
 // how many vertices, these, and of each face how many corners and which; a cap is its ball and its halfspace.
 // Source: RTCD 2.3.
 // Cost: 248 bytes; no allocation but for shapes of lists.  A question costs two jumps more than of the kinds.
+// Nothing is searched.
 #pragma once
 
 #include <array>

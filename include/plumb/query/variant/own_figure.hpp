@@ -12,7 +12,8 @@
 // GJK; contains of what is convex; first_hit, first_contact and intersection throw Unsupported.
 // NaN and infinity throw NonFinite, a negative radius and no place InvalidShape, by name.
 // Source: RTCD 4.5, 11.3.4.
-// Cost: the hull of the places, some microseconds, beside that of the question.
+// Cost: the hull of the places, some microseconds, beside that of the question.  Nothing is searched but by the hull
+// and by that question.
 #pragma once
 
 #include "plumb/query/gjk/gjk.hpp"
