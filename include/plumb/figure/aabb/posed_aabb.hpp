@@ -8,6 +8,7 @@
 // double holds throws BeyondDoubles.
 // Source: RTCD 4.2.4, 4.2.6.
 // Cost: some 100 ns a bound, and a sign for each further corner; some microseconds where a root leaves a choice.
+// Nothing is searched: each corner is looked at once.
 #pragma once
 
 #include <array>

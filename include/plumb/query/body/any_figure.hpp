@@ -13,10 +13,12 @@
 // names the question and both kinds.  (3) Copies are equal and independent; a shape of lists (a polygon, a k-DOP,
 // halfspaces, a polyhedron) is shared between copies and never changes.  (4) Text is one line: the kind and its dimension,
 // then the numbers in hexadecimal, in the order of degenerate/shape.hpp, then where it stands: `pose` and the columns and
-// the translation, `rigid` and the quaternion and the translation, or `chain` and as much of each link.  Of a k-DOP there are its directions before the bounds, and before these how many; a polyhedron is
-// how many vertices, these, and of each face how many corners and which; a cap is its ball and its halfspace.
+// the translation, `rigid` and the quaternion and the translation, or `chain` and as much of each link.  Of a k-DOP there
+// are its directions before the bounds, and before these how many; a polyhedron is how many vertices, these, and of each
+// face how many corners and which; a cap is its ball and its halfspace.
 // Source: RTCD 2.3.
-// Cost: 248 bytes; no allocation but for shapes of lists and chains of poses.  A question costs two jumps more than of the kinds.
+// Cost: 248 bytes; no allocation but for shapes of lists and chains of poses.  A question costs two jumps more than of
+// the kinds.  Nothing is searched.
 #pragma once
 
 #include <array>

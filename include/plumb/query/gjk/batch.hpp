@@ -11,7 +11,8 @@
 // is not, the error is that of the lowest such pair, whose number it tells; what was written before means nothing then.
 // Spans of another length than the pairs throw UnequalLengths, a number beyond the bodies Error.
 // Source: RTCD 9.5.
-// Cost: that of each pair; threads share them in blocks.
+// Cost: that of each pair; threads share them in blocks.  Bounded by n^2 signs a pair for n corners of both, as
+// gjk.hpp says.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,8 @@
 // Source: RTCD 5.3.2, 5.3.3 (figure 5.23), 5.3.6; the moved ray is simulation of simplicity with one vector for the
 // whole scene.
 // Cost: that of intersects (docs/overlap.md) for triangles, balls and axis-aligned boxes, else what first_hit takes to
-// decide; by the half-open rule microseconds where doubles are in doubt.
+// decide; by the half-open rule microseconds where doubles are in doubt.  Nothing is searched but what relate and
+// first_hit search (query/overlap/overlap.hpp, query/ray/ray.hpp).
 #pragma once
 
 #include "plumb/query/overlap/overlap.hpp"

@@ -7,7 +7,8 @@
 // figure that it becomes.  Corners that are no doubles are held as rational points.
 // A polygon that is not convex throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.3.
-// Cost: rationals: some 200 us for triangles and boxes, of polyhedra more with each corner.
+// Cost: rationals: some 200 us for triangles and boxes, of polyhedra more with each corner.  Bounded by n^2
+// operations for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/body/posed.hpp"

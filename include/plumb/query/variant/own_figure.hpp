@@ -13,7 +13,8 @@
 // throw Unsupported, a pose that is a matrix UnevenPose.
 // NaN and infinity throw NonFinite, a negative radius and no place InvalidShape, by name.
 // Source: RTCD 4.5, 11.3.4.
-// Cost: the hull of the places, some microseconds, beside that of the question.
+// Cost: the hull of the places, some microseconds, beside that of the question.  Nothing is searched but by the hull
+// and by that question.
 #pragma once
 
 #include "plumb/query/gjk/gjk.hpp"

@@ -15,7 +15,8 @@
 // point out of it throws Unsupported.
 // Source: RTCD 2.3.
 // Cost: that of the kinds and a jump for each figure; a few figures under poses and in motion are copied.  A program that
-// asks all of these compiles as fast as one that asks one: the pairs are compiled in the library.
+// asks all of these compiles as fast as one that asks one: the pairs are compiled in the library.  Nothing is
+// searched but by that question.
 #pragma once
 
 #include <concepts>
