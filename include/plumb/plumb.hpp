@@ -1,5 +1,5 @@
-// Everything: the signs, figures, trees of many, and meshes with their files.  Generators of hard inputs are apart, in
-// plumb/degenerate.hpp.
+// The signs, figures, trees of many, and meshes with their files: all but what each of these faces says is apart.
+// Generators of hard inputs are apart as well, in plumb/degenerate.hpp.
 #pragma once
 
 #include "plumb/certify/accepted.hpp"

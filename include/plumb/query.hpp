@@ -1,7 +1,8 @@
 // The face of questions about two figures: whether, what in common, how near, what first, and when?
 //
-// Answers are exact; where a number is given it is the true one, rounded once.  Which pairs a question takes is a table
-// of query/body/, and docs/overlap.md, closest.md, intersection.md, rays.md, motion.md and figures.md print it.
+// Answers are exact; where a number is given it is the true one, rounded once, a time of contact down; where bounds are
+// asked for (gjk_bounds, penetration_bounds, first_contact_span), they hold it.  Which pairs a question takes is a table of
+// query/body/, and docs/overlap.md, closest.md, intersection.md, rays.md, motion.md and figures.md print it.
 // Apart: kinds of questions, on which other people's functions are tried (query/kinds/kinds.hpp).
 // Source: RTCD 2.3.
 #pragma once
@@ -50,7 +51,6 @@
 
 // What have they in common?  intersection
 #include "plumb/certify/exact_point.hpp"                // a corner as it is
-#include "plumb/query/section/flat.hpp"                 // of polygons and rectangles, of oriented boxes of the plane
 #include "plumb/query/section/intersection.hpp"         // in space
 #include "plumb/query/section/intersection2.hpp"        // in the plane
 #include "plumb/query/section/intersection_result.hpp"  // nothing, a point, a segment, a polygon
@@ -128,5 +128,6 @@
 #include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
 #include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance
 #include "plumb/query/time_of_impact/posed.hpp"                // polygons, polytopes, figures under poses, along lines
+#include "plumb/query/time_of_impact/posed_corners.hpp"        // vertices that move from pose to pose
 #include "plumb/query/time_of_impact/restated.hpp"             // boxes by width or by center
 #include "plumb/query/time_of_impact/translating_contact.hpp"  // convex figures along lines

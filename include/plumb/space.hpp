@@ -1,7 +1,8 @@
 // The face of indexes over many figures: which of them can matter to a question?
 //
-// What is left out is left out by comparisons of boxes that contain what they stand for, exactly; so a question asked of
-// a tree has the answer of the same question asked of each figure.  `rows` that are given back lend their memory.
+// What is left out is left out by comparisons of boxes or other volumes that contain what they stand for, exactly; so a
+// question asked of a tree has the answer of the same question asked of each figure.  `rows` that are given back lend
+// their memory.
 // Source: RTCD 6.
 #pragma once
 

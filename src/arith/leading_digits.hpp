@@ -1,7 +1,7 @@
 // What are the leading digits of an exact number?  As a pair of doubles that knows how far it is off.
 //
-// Laws: those of plumb/arith/ball.hpp; off by less than 2^-127 of the number.  Of numbers beyond 2^900 or below 2^-900
-// nothing is told.
+// Laws: those of plumb/arith/ball.hpp; what is left out is less than a unit of the words that are kept.  Of numbers beyond
+// 2^900 or below 2^-900 nothing is told.
 // Source: none; three words of the number as six halves, which are doubles each.
 // Cost: some 150 operations.
 #pragma once
@@ -25,7 +25,7 @@ inline Ball leading_digits(const StackDyadic& x) {
     sum = sum + Ball(std::ldexp(static_cast<double>(limbs[i] >> 32), power + 32));
     sum = sum + Ball(std::ldexp(static_cast<double>(limbs[i] & 0xffffffff), power));
   }
-  if (first > 0) sum.radius += std::ldexp(1.0, unit);
+  if (first > 0) sum = sum + Ball{0, 0, std::ldexp(1.0, unit)};
   return x.sign() == Sign::negative ? Ball(0.0) - sum : sum;
 }
 

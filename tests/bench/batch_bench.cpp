@@ -2,7 +2,7 @@
 // the filter alone, then our batches over arrays of points, over arrays of coordinates, and over points against one
 // line, plane, circle or sphere; every sign of ours is exact.  Cases fit the second-level cache.  Then single points
 // against one of these, by the function and by the object, and a million cases on one thread and on all.
-// `bench_batch --benchmark_format=json | python3 tests/bench/table.py` prints the table of docs/batches.md.
+// `bench_batch --benchmark_format=json | python3 tests/bench/report/table.py` prints the table of docs/batches.md.
 #include <benchmark/benchmark.h>
 
 #include <array>

@@ -3,7 +3,7 @@
 // `pairs_growth/N/METHOD`: all overlapping pairs of N boxes, uniform with some 8 pairs a box, by each method of the broad
 // phase, in ns a box, with the most bytes a box that the process held meanwhile, boxes and pairs included.
 // `points_growth/N/WHAT`: of N uniform points, ns a point to build (with the bytes a point that the index keeps) and ns
-// a query.  tests/bench/growth.py draws both.  --benchmark_filter='growth/.{1,6}/' leaves a million and more out.
+// a query.  tests/bench/report/growth.py draws both.  --benchmark_filter='growth/.{1,6}/' leaves a million and more out.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -4,7 +4,7 @@
 // triangle, with the bytes that the tree and the mesh in it take, and the most that the process held meanwhile, the
 // mesh that it is built of included; `rays_random` (from around the mesh to places in its box) and `rays_camera`
 // (through the pixels of an image, in rows) are ns for each ray, asked together; `rays_random_single` one at a time.
-// tests/bench/growth.py draws it.  --benchmark_filter='growth/.{1,6}/' leaves a million and more out.
+// tests/bench/report/growth.py draws it.  --benchmark_filter='growth/.{1,6}/' leaves a million and more out.
 #include <benchmark/benchmark.h>
 
 #include <functional>

@@ -1,6 +1,6 @@
 // What does a plan save on real meshes?  The bare formula, decide and the kernel of the mesh's lattice, on signs that mesh
 // software asks for around edges: as given, in floats, and with a vertex so far off that no bound of the lattice tells
-// anything.  `bench_mesh_plan --benchmark_format=json | python3 tests/bench/table.py` prints the table of docs/plans.md.
+// anything.  `bench_mesh_plan --benchmark_format=json | python3 tests/bench/report/table.py` prints the table of docs/plans.md.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // What does a plan save?  The bare formula, the default chain, the kernel of the scene's lattice and the filter of its
 // box, on lattices of 8 to 53 bits, random and exactly degenerate: `bench_plan --benchmark_format=json | python3
-// tests/bench/table.py` prints the table of docs/plans.md.
+// tests/bench/report/table.py` prints the table of docs/plans.md.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // How long does a sign take?  The bare double formula, the exact predicate and CGAL's Epick on the same inputs, in the
-// same run: `bench_predicates --benchmark_format=json | python3 tests/bench/table.py` prints the table of
+// same run: `bench_predicates --benchmark_format=json | python3 tests/bench/report/table.py` prints the table of
 // docs/measurements.md.
 #include <benchmark/benchmark.h>
 

@@ -5,7 +5,7 @@
 // disk and a ball; ball: the smallest around points of a ball; ns a point given.  relate, distance: of two convex polyhedra,
 // the hulls of points of a sphere, that overlap, that are apart; by their vertices, ns a pair.  nearest, pairs: a point and a
 // mesh, two meshes through each other, by their triangles; ns a point, ns a triangle of both.
-// tests/bench/sizes.py draws it.
+// tests/bench/report/sizes.py draws it.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

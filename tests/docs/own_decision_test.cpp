@@ -2,10 +2,10 @@
 // answer, and mutants of the statement.
 #include <gtest/gtest.h>
 
-#include "certify/golden_statements.hpp"
-#include "certify/mutant_statements.hpp"
-#include "certify/proved_statements.hpp"
+#include "certify/statements/golden_statements.hpp"
+#include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
+#include "certify/statements/proved_statements.hpp"
 #include "docs/sees_box.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/judged_bounds.hpp"

@@ -90,7 +90,7 @@ TEST(Report, HasATableAPictureAndAnEntryForEveryTaskAndClass) {
 /// What is kept of a run (docs/charts.md) is made by a script.
 TEST(Report, HasItsMediansTakenOutByTheScript) {
   const Outcome taken =
-      run("python3 " PLUMB_SOURCE_DIR "/tests/bench/chart_medians.py < " + report().folder() + "/chart.json");
+      run("python3 " PLUMB_SOURCE_DIR "/tests/bench/report/chart_medians.py < " + report().folder() + "/chart.json");
   EXPECT_EQ(taken.err, "");
   const json kept = json::parse(taken.out, nullptr, false);
   ASSERT_TRUE(kept.is_object()) << taken.out;
@@ -104,7 +104,7 @@ TEST(Report, HasItsMediansTakenOutByTheScript) {
 }
 
 TEST(Report, HasNoMethodThatIsWrongOnHalfOfWhatIsHarmless) {
-  const std::string script = "python3 " PLUMB_SOURCE_DIR "/tests/bench/sane_methods.py";
+  const std::string script = "python3 " PLUMB_SOURCE_DIR "/tests/bench/report/sane_methods.py";
   const Outcome sane = run(script + " < " + report().folder() + "/chart.json");
   EXPECT_EQ(sane.code, 0) << sane.err;
   json raw = report().raw;

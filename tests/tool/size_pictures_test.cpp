@@ -1,4 +1,4 @@
-// tests/bench/growth.py and sizes.py: what bench_growth and bench_sizes measured, as pictures and as tables.
+// tests/bench/report/growth.py and sizes.py: what bench_growth and bench_sizes measured, as pictures and as tables.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ json sample() {
 }
 
 Outcome drawn(const std::string& text, const std::string& options = "", const std::string& by = "growth.py") {
-  return run("python3 " PLUMB_SOURCE_DIR "/tests/bench/" + by + ' ' + options, text);
+  return run("python3 " PLUMB_SOURCE_DIR "/tests/bench/report/" + by + ' ' + options, text);
 }
 
 /// The places of the markers of one curve, from left to right: y grows downward.

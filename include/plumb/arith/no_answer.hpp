@@ -1,8 +1,7 @@
 // What does a compiler say of a question that has no answer for these arguments?  One sentence, instead of all that it
 // tried.
 //
-//   template <class Answer = Relation>
-//   PLUMB_NO_ANSWER(Answer, "plumb: relate takes two figures of one space")
+//   PLUMB_NO_ANSWER(Relation, "plumb: relate takes two figures of one space")
 //   relate(PLUMB_ANYTHING) PLUMB_DELETED;
 //
 // Such a function takes whatever no other function of its name takes, and is deleted: it stands for the questions that
@@ -16,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <type_traits>
 
 #include "plumb/predicates/standard.hpp"
@@ -27,6 +27,14 @@ struct Anything {
   template <class T>
   Anything(const T&);  // NOLINT: the one argument that every call has an overload for
   Anything();
+};
+
+/// What stands for a point between the braces of a list of which no type says what it is of.
+struct InBraces {
+  InBraces(std::initializer_list<double>);
+  template <class T>
+  requires requires(const T& p) { p.x, p.y; }
+  InBraces(const T&);  // NOLINT: a point as it is
 };
 
 #ifdef __clang__
@@ -57,12 +65,17 @@ struct NoAnswer;
 }  // namespace plumb::arith
 
 #ifdef __clang__
-#define PLUMB_NO_ANSWER(Answer, sentence) __attribute__((unavailable(sentence))) plumb::arith::AnswerType<Answer>
+#define PLUMB_NO_ANSWER_TYPE(Answer, sentence) __attribute__((unavailable(sentence))) plumb::arith::AnswerType<Answer>
 #define PLUMB_DELETED
 #else
-#define PLUMB_NO_ANSWER(Answer, sentence) plumb::arith::NoAnswer<sentence>
+#define PLUMB_NO_ANSWER_TYPE(Answer, sentence) plumb::arith::NoAnswer<sentence>
 #define PLUMB_DELETED = delete
 #endif
+#define PLUMB_NO_ANSWER(Answer, sentence) \
+  template <class NoAnswerType = Answer>  \
+  PLUMB_NO_ANSWER_TYPE(NoAnswerType, sentence)
 #define PLUMB_ANYTHING                                                                                   \
   const plumb::arith::Anything&, const plumb::arith::Anything& = {}, const plumb::arith::Anything& = {}, \
                                        const plumb::arith::Anything& = {}
+/// No template takes braces: a second function is deleted where points stand between them.
+#define PLUMB_POINTS_IN_BRACES std::initializer_list<plumb::arith::InBraces>, const plumb::arith::Anything& = {}

@@ -11,40 +11,36 @@ namespace plumb {
 enum class Sign : signed char;
 struct Point3;
 
-template <class Answer = Sign>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(Sign,
                 "plumb: orient2d takes three Point2, or points that are implicit; of many cases three spans of Point2 "
                 "and a span of Sign to write to")
 orient2d(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = Sign>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(Sign,
                 "plumb: orient3d takes four Point3, or points that are implicit; of many cases four spans of Point3 "
                 "and a span of Sign to write to")
 orient3d(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = Sign>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(Sign,
                 "plumb: incircle takes four Point2, or points that are implicit; of many cases four spans of Point2 "
                 "and a span of Sign to write to")
 incircle(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = Sign>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(Sign,
                 "plumb: insphere takes five Point3, or points that are implicit; of many cases five spans of Point3 "
                 "and a span of Sign to write to")
 insphere(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = Point3>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(Point3,
                 "plumb: approximate takes what is known exactly: an implicit or posed point, or what intersection, "
                 "closest points and contacts answer; the corners of a figure are doubles as they stand")
 approximate(PLUMB_ANYTHING) PLUMB_DELETED;
 
 /// No template, of which Clang would say it twice.
-PLUMB_NO_ANSWER(bool,
-                "plumb: nothing is printed by <<: print the coordinates, p.x and p.y, a number of the enumeration, or "
-                "what name_of and to_string say")
+PLUMB_NO_ANSWER_TYPE(
+    bool,
+    "plumb: nothing is printed by <<: print the coordinates, p.x and p.y, a number of the enumeration, or "
+    "what name_of and to_string say")
 operator<<(const arith::Anything&, const arith::Anything&) PLUMB_DELETED;
 
 }  // namespace plumb

@@ -7,7 +7,7 @@
 // for it, a coordinate that is no float32 is refused, not rounded.  STL normals are written as 0 0 0 (the corners'
 // order tells): a normal is rarely a double.
 // Source: RTCD 2.2.1.
-// Cost: linear; the file's bytes are held in memory once.
+// Cost: linear; the file's bytes are held in memory once.  Bounded by n operations for n faces.
 #pragma once
 
 #include <optional>
@@ -29,8 +29,7 @@ struct WriteOptions {
 void write_mesh(const std::string& path, const PolygonMesh& mesh, const WriteOptions& options = {});
 void write_mesh(const std::string& path, const TriangleMesh& mesh, const WriteOptions& options = {});
 
-template <class Answer = bool>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(bool,
                 "plumb: write_mesh takes a path and then a TriangleMesh or PolygonMesh, and WriteOptions: "
                 "write_mesh(\"part.stl\", mesh)")
 write_mesh(PLUMB_ANYTHING) PLUMB_DELETED;

@@ -96,7 +96,7 @@ class CoreCorners {
   /// Which way an edge leads by what is given, without arithmetic: a multiple above zero of an axis under the pose, and
   /// of the axis that is zero where it has no length; nothing where two points differ in several coordinates.
   [[nodiscard]] std::optional<Vector3> axis_of_edge(std::size_t k) const;
-  [[nodiscard]] const PoseView& pose() const { return pose_; }
+  [[nodiscard]] const AnyPoseView& pose() const { return pose_; }
   /// A box along the axes of space, before its pose?
   [[nodiscard]] bool is_aligned() const { return aligned_; }
   /// Neither posed, nor moved, nor scaled?
@@ -228,7 +228,7 @@ class CoreCorners {
     }
     return p;
   }
-  void take_pose(const PoseView& pose);
+  void take_pose(const AnyPoseView& pose);
   template <class Points>
   void take(const Points& points) {
     for (const Point3& p : points) points_[size_++] = p;
@@ -240,7 +240,7 @@ class CoreCorners {
 
   const ConvexPolyhedron3* polyhedron_ = nullptr;
   std::span<const Point3> list_;
-  PoseView pose_{}, beside_{};
+  AnyPoseView pose_{}, beside_{};
   std::array<Vector3, 3> columns_;
   Vector3 translation_;
   double weight_ = 1, beside_weight_ = 1;

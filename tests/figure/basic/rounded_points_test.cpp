@@ -16,6 +16,17 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
+/// As a user has it who rounds as he likes.
+namespace own {
+Vector3 operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vector3 operator*(double t, const Vector3& v) { return {t * v.x, t * v.y, t * v.z}; }
+
+TEST(RoundedPoints, OperatorsOfOnesOwnAreTaken) {
+  EXPECT_EQ(2 * (Point3{3, 2, 1} - Point3{1, 1, 1}), (Vector3{4, 2, 0}));
+  EXPECT_TRUE((Point3{3, 2, 1} != Point3{1, 1, 1}));
+}
+}  // namespace own
+
 constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max(),
                  least = std::numeric_limits<double>::denorm_min();
 

@@ -10,10 +10,10 @@
 #include <limits>
 #include <map>
 
-#include "certify/golden_statements.hpp"
-#include "certify/mutant_statements.hpp"
-#include "certify/proved_statements.hpp"
+#include "certify/statements/golden_statements.hpp"
+#include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
+#include "certify/statements/proved_statements.hpp"
 #include "figure/basic/shape_cases.hpp"
 #include "figure/basic/thrown.hpp"
 #include "figure/sphere/rational_ball.hpp"

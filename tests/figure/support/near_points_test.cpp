@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "certify/golden_statements.hpp"
-#include "certify/mutant_statements.hpp"
-#include "certify/proved_statements.hpp"
+#include "certify/statements/golden_statements.hpp"
+#include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
+#include "certify/statements/proved_statements.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/closest/closest.hpp"

@@ -35,7 +35,10 @@ PLUMB_ASKS(AskFirstHitParameter, first_hit_parameter(a, b))
 PLUMB_ASKS(AskIntersection, intersection(a, b))
 PLUMB_ASKS(AskTranslating, first_contact(Translating<A>{a, {}}, Translating<B>{b, {}}))
 PLUMB_ASKS(AskTranslatingTime, first_contact_time(Translating<A>{a, {}}, Translating<B>{b, {}}))
+PLUMB_ASKS(AskTranslatingMeet, intersects(Translating<A>{a, {}}, Translating<B>{b, {}}))
+PLUMB_ASKS(AskTranslatingAtOne, intersects(Translating<A>{a, {}}, b))
 PLUMB_ASKS(AskMoving, first_contact(Moving<A>{a, a}, Moving<B>{b, b}))
+PLUMB_ASKS(AskMovingMeet, intersects(Moving<A>{a, a}, Moving<B>{b, b}))
 PLUMB_ASKS(AskAtRest, first_contact(a, b))
 PLUMB_ASKS(AskLocate, locate(a, b))
 #undef PLUMB_ASKS
@@ -103,7 +106,10 @@ TEST(Requires, IntersectionIsItsTable) { expect_as_table<AskIntersection>("inter
 TEST(Requires, FirstContactIsItsTable) {
   expect_as_table<AskTranslating>("first_contact of Translating", query::translating_pairs);
   expect_as_table<AskTranslatingTime>("first_contact_time of Translating", query::translating_pairs);
+  expect_as_table<AskTranslatingMeet>("intersects of Translating", query::translating_pairs);
+  expect_as_table<AskTranslatingAtOne>("intersects of Translating and what rests", query::translating_pairs);
   expect_as_table<AskMoving>("first_contact of Moving", query::moving_pairs);
+  expect_as_table<AskMovingMeet>("intersects of Moving", query::moving_pairs);
 }
 
 /// A point is located in whatever contains it, but in what is no more than a point.

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "certify/golden_statements.hpp"
-#include "certify/mutant_statements.hpp"
-#include "certify/proved_statements.hpp"
+#include "certify/statements/golden_statements.hpp"
+#include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
+#include "certify/statements/proved_statements.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 
 namespace plumb::query::parting {

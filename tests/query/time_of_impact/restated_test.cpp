@@ -31,6 +31,8 @@ void expect_same(const Box& box, const Shape& s, const Vector3& by, const std::s
   EXPECT_EQ(closest_points(s, box), swapped(closest_points(box, s))) << about;
   const auto time = first_contact_time(Translating{box, by}, s);
   EXPECT_EQ(time.has_value(), first_contact(s, Translating{box, by}).has_value()) << about;
+  EXPECT_EQ(time.has_value(), intersects(Translating{box, by}, s)) << about;
+  EXPECT_EQ(time.has_value(), intersects(s, Translating{box, by})) << about;
   if (!held) return;
   EXPECT_EQ(closest_points(box, s), closest_points(*held, s)) << about;
   EXPECT_EQ(first_contact(Translating{box, by}, s), first_contact(Translating{*held, by}, s)) << about;

@@ -9,10 +9,10 @@
 #include <tuple>
 
 #include "arith/vec.hpp"
-#include "certify/golden_statements.hpp"
-#include "certify/mutant_statements.hpp"
-#include "certify/proved_statements.hpp"
+#include "certify/statements/golden_statements.hpp"
+#include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
+#include "certify/statements/proved_statements.hpp"
 #include "lab/trial/moving_cases.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 

@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include "certify/golden_statements.hpp"
-#include "certify/mutant_statements.hpp"
-#include "certify/proved_statements.hpp"
 #include "certify/sanitized.hpp"
+#include "certify/statements/golden_statements.hpp"
+#include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
+#include "certify/statements/proved_statements.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/judged_proofs.hpp"
 #include "plumb/certify/thread_limit.hpp"

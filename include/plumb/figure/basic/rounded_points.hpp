@@ -4,7 +4,8 @@
 //   double  d = rounded_dot(v, w);               // of v and w as they are now, whatever was lost before
 //
 // There are no operators, because what they would make is not exact, and a sign of it may be wrong: a decision about
-// points takes the points (orient3d, angle_sign, compare_distance, sign_of), not what was made of them.
+// points takes the points (orient3d, angle_sign, compare_distance, sign_of), not what was made of them.  They are
+// deleted, so that who writes one is told these names; one of your own is taken as ever.
 // exact_difference and exact_sum give the vector or point only where doubles hold it; negated is always exact.
 // Laws: (1) each coordinate and number is the exact one of the arguments, rounded once to the nearest double, ties to
 // even; zero is never -0, but in what negated makes; infinite beyond all doubles.  (2) rounded_difference(a, b) and
@@ -13,11 +14,13 @@
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 3.2, 3.3, 3.3.3, 3.3.5, 3.3.7.
 // Cost: that of the plain operation for sums, differences and midpoints; some 20 ns a number for the others
-// (certify/rounded.hpp).
+// (certify/rounded.hpp).  Nothing is searched.
 #pragma once
 
+#include <concepts>
 #include <optional>
 
+#include "plumb/arith/no_answer.hpp"
 #include "plumb/arith/point.hpp"
 
 namespace plumb {
@@ -67,5 +70,37 @@ double rounded_length(const Vector3& v);
 
 /// (b - a) x (c - a), from the points themselves.
 Vector3 rounded_normal(const Point3& a, const Point3& b, const Point3& c);
+
+namespace figure {
+/// A point or a vector.  No template takes the operators' arguments, of which Clang would say all twice.
+struct Coordinates {
+  template <class T>
+  requires(std::same_as<T, Point2> || std::same_as<T, Point3> || std::same_as<T, Vector2> ||
+           std::same_as<T, Vector3>)  //
+      Coordinates(const T&);          // NOLINT: stands for any of them
+};
+}  // namespace figure
+
+PLUMB_NO_ANSWER_TYPE(bool, "plumb: no operator == of a point and a vector, or of the plane and of space")
+operator==(const figure::Coordinates&, const figure::Coordinates&) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(
+    Vector3,
+    "plumb: no operator - of points and vectors: rounded_difference(a, b) rounds each coordinate once, "
+    "exact_difference(a, b) never; decisions take the points themselves (orient3d, compare_distance)")
+operator-(const figure::Coordinates&, const figure::Coordinates&) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(Vector3,
+                     "plumb: no operator + of points and vectors: rounded_sum(p, v) rounds each coordinate once, "
+                     "exact_sum(p, v) never; decisions take the points themselves (orient3d, compare_distance)")
+operator+(const figure::Coordinates&, const figure::Coordinates&) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(Vector3, "plumb: no operator - of a vector: negated(v)")
+operator-(const figure::Coordinates&) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(Vector3, "plumb: no operator * of a vector and a number: rounded_multiple(t, v)")
+operator*(const figure::Coordinates&, double) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(Vector3, "plumb: no operator * of a number and a vector: rounded_multiple(t, v)")
+operator*(double, const figure::Coordinates&) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(double, "plumb: no operator * of two vectors: rounded_dot(v, w) or rounded_cross(v, w)")
+operator*(const figure::Coordinates&, const figure::Coordinates&) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(Vector3, "plumb: no operator / of a vector and a number: rounded_multiple(1 / t, v)")
+operator/(const figure::Coordinates&, double) PLUMB_DELETED;
 
 }  // namespace plumb

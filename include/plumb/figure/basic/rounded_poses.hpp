@@ -13,11 +13,12 @@
 // thirty degrees, which doubles do not hold, does not.  A RigidPose always does (figure/basic/rigid_poses.hpp).
 // NaN and infinity throw NonFinite, a number beyond the doubles BeyondDoubles; both by name.
 // Source: RTCD 3.1.1, 3.1.5, 3.2.
-// Cost: some 20 ns a number of a composition, some 100 ns of an image or an inverse.
+// Cost: some 20 ns a number of a composition, some 100 ns of an image or an inverse.  Nothing is searched.
 #pragma once
 
 #include <optional>
 
+#include "plumb/arith/no_answer.hpp"
 #include "plumb/arith/pose.hpp"
 #include "plumb/arith/sign.hpp"
 #include "plumb/figure/basic/pose_view.hpp"
@@ -57,5 +58,14 @@ Sign handedness(const Pose& pose);
 /// Is the matrix orthogonal, exactly?
 bool keeps_lengths(const Pose2& pose);
 bool keeps_lengths(const Pose& pose);
+
+PLUMB_NO_ANSWER_TYPE(Pose,
+                     "plumb: no operator * of poses: rounded_composition(outer, inner); of a point "
+                     "rounded_image(pose, p), of a figure Posed{figure, pose}, which nothing rounds")
+operator*(PoseView, const arith::Anything&) PLUMB_DELETED;
+PLUMB_NO_ANSWER_TYPE(Pose2,
+                     "plumb: no operator * of poses: rounded_composition(outer, inner); of a point "
+                     "rounded_image(pose, p), of a figure Posed{figure, pose}, which nothing rounds")
+operator*(PoseView2, const arith::Anything&) PLUMB_DELETED;
 
 }  // namespace plumb

@@ -8,13 +8,15 @@
 // along a direction, and at most as far as the hulls of the points that were told.
 // Laws: (1) if each point told is within `rounding` of the body, and no point of the body is farther along the direction by
 // more than that, the distance is within [lower, upper]; the bounds are exact, rounded outward.  (2) `disjoint` and `meeting`
-// are told where that is certain, else `undecided`; meeting only of mappings without rounding.  (3) A mapping that contradicts
+// are told where that is certain, else `undecided`: of mappings with a rounding, meeting is certain where hulls of their points
+// still meet after one was moved by four times the rounding either way along each axis of space.  (3) A mapping that contradicts
 // itself beyond its rounding (a point told now is less far along the direction than one that was told before, or farther along
 // an earlier direction than the point that was told then) throws InvalidShape with both points and the direction; NaN and
 // infinity throw NonFinite with the direction.  A negative `rounding` or `within` throws InvalidShape.
 // The search is exact between calls, and ends where a call brings the hulls no nearer, or the bounds are within `within`.
 // Source: Gilbert, Johnson and Keerthi 1988; Gilbert and Foo 1990; RTCD 9.5.3.
-// Cost: some tens of microseconds a step beside the calls.
+// Cost: some tens of microseconds a step beside the calls.  Bounded by n steps and n^2 signs for n points that the mappings
+// can tell, for each step brings their hulls nearer, on integers as long as the exponents' span.
 #pragma once
 
 #include <concepts>

@@ -6,7 +6,8 @@
 // Aabb3.  A slab is no figure of that table: it is met when the later of its two planes is passed, each a Plane3.
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 4.2 (figure 4.3), 5.5.
-// Cost: that of an Aabb3; where an end is no double that of an Obb3, or of a posed box, some 50 us.
+// Cost: that of an Aabb3; where an end is no double that of an Obb3, or of a posed box, some 50 us.  Nothing is
+// searched but what first_contact of that figure searches (query/time_of_impact/posed.hpp).
 #pragma once
 
 #include "plumb/query/body/restated.hpp"
@@ -58,5 +59,17 @@ template <class A, class B>
 requires query::MovesRestated<A, B> std::optional<Root> first_contact_time(const A& a, const Translating<B>& b) {
   return first_contact_time(Translating<A>{a, {0, 0, 0}}, b);
 }
+
+template <class A, class B>
+requires query::MovesRestated<A, B>
+bool intersects(const Translating<A>& a, const Translating<B>& b) {
+  return query::restated_motion("intersects", a, b, [](const auto& p, const auto& q) { return intersects(p, q); });
+}
+template <class A, class B>
+requires query::MovesRestated<A, B>
+bool intersects(const Translating<A>& a, const B& b) { return intersects(a, Translating<B>{b, {0, 0, 0}}); }
+template <class A, class B>
+requires query::MovesRestated<A, B>
+bool intersects(const A& a, const Translating<B>& b) { return intersects(Translating<A>{a, {0, 0, 0}}, b); }
 
 }  // namespace plumb

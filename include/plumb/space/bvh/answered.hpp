@@ -25,163 +25,139 @@ struct PairCount;
 struct TrianglePair;
 
 // Which tree?
-template <class Answer = Bvh>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(Bvh,
                 "plumb: build_bvh takes a TriangleMesh, or a span of vertices and one of triangles, three numbers "
                 "each, and then BvhOptions; of boxes build_box_tree")
 build_bvh(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = bool>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(bool,
                 "plumb: build_kd_tree takes a span or vector of Point2 or Point3, and then KdTreeOptions: "
                 "build_kd_tree(std::vector<Point3>{{0, 0, 0}, {1, 1, 1}}); of figures build_figure_tree")
 build_kd_tree(PLUMB_ANYTHING) PLUMB_DELETED;
+PLUMB_NO_ANSWER(bool, "plumb: build_kd_tree is not told of which points: build_kd_tree(std::vector<Point3>{{0, 0, 0}})")
+build_kd_tree(PLUMB_POINTS_IN_BRACES) PLUMB_DELETED;
 
-template <class Answer = bool>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(bool,
                 "plumb: build_figure_tree takes a span or vector of one kind of box, segment or triangle, and then "
                 "KdTreeOptions; of points build_kd_tree, of balls a build_box_tree of their boxes")
 build_figure_tree(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = bool>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(bool,
                 "plumb: build_split_tree takes a span or vector of one kind of box, segment or triangle, and then "
                 "SplitTreeOptions")
 build_split_tree(PLUMB_ANYTHING) PLUMB_DELETED;
 
 // Which pairs?
-template <class Answer = std::vector<TrianglePair>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::vector<TrianglePair>,
                 "plumb: intersecting_pairs takes the trees of two meshes, each a Bvh, CompactBvh, VolumeMesh, "
                 "PosedMesh or PosedCompactMesh, both of one kind: intersecting_pairs(build_bvh(a), build_bvh(b))")
 intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::optional<TrianglePair>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::optional<TrianglePair>,
                 "plumb: any_intersecting_pair takes the trees of two meshes, each a Bvh, CompactBvh, VolumeMesh, "
                 "PosedMesh or PosedCompactMesh, both of one kind: any_intersecting_pair(build_bvh(a), build_bvh(b))")
 any_intersecting_pair(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<TrianglePair>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::vector<TrianglePair>,
                 "plumb: self_intersecting_pairs takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
                 "PosedCompactMesh: self_intersecting_pairs(build_bvh(mesh))")
 self_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::optional<TrianglePair>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::optional<TrianglePair>,
                 "plumb: any_self_intersecting_pair takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
                 "PosedCompactMesh: any_self_intersecting_pair(build_bvh(mesh))")
 any_self_intersecting_pair(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = PairCount>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(PairCount,
                 "plumb: count_self_intersecting_pairs takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
                 "PosedCompactMesh: count_self_intersecting_pairs(build_bvh(mesh))")
 count_self_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = PairCount>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(PairCount,
                 "plumb: count_intersecting_pairs takes the trees of two meshes, each a Bvh, CompactBvh, PosedMesh or "
                 "PosedCompactMesh, both of one kind: count_intersecting_pairs(build_bvh(a), build_bvh(b))")
 count_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<BoxPair>>
 PLUMB_NO_ANSWER(
-    Answer,
+    std::vector<BoxPair>,
     "plumb: overlapping_pairs takes spans or vectors of one kind of box, Aabb2, Aabb3, FloatBox2 or FloatBox3, or an "
     "index of boxes, and then a BoxPairSink and options; of meshes ask intersecting_pairs(build_bvh(a), build_bvh(b))")
 overlapping_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<BoxPair>>
 PLUMB_NO_ANSWER(
-    Answer,
+    std::vector<BoxPair>,
     "plumb: sort_and_sweep_pairs takes spans or vectors of one kind of box, Aabb2, Aabb3, FloatBox2 or FloatBox3")
 sort_and_sweep_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
 // How near is a mesh?
-template <class Answer = std::optional<ClosestOnMesh>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::optional<ClosestOnMesh>,
                 "plumb: closest_on_mesh takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or PosedCompactMesh, "
                 "and then a Point3, or spans of points and of answers: closest_on_mesh(build_bvh(mesh), p)")
 closest_on_mesh(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::optional<ClosestTriangles>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::optional<ClosestTriangles>,
                 "plumb: closest_triangles takes the trees of two meshes, both a Bvh or both a PosedMesh: "
                 "closest_triangles(build_bvh(a), build_bvh(b))")
 closest_triangles(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<NearTriangle>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::vector<NearTriangle>,
                 "plumb: nearest_triangles takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or PosedCompactMesh, "
                 "a Point3 and how many: nearest_triangles(build_bvh(mesh), p, k)")
 nearest_triangles(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<NearTriangle>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::vector<NearTriangle>,
                 "plumb: triangles_within takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or PosedCompactMesh, a "
                 "Point3 and a distance: triangles_within(build_bvh(mesh), p, distance)")
 triangles_within(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<std::uint32_t>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::vector<std::uint32_t>,
                 "plumb: triangles_meeting takes the tree of a mesh, and then a figure of space or a span of one kind "
                 "of them, the list of space/range/range_search.hpp: triangles_meeting(build_bvh(mesh), box)")
 triangles_meeting(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = HausdorffDistance>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(HausdorffDistance,
                 "plumb: hausdorff_distance takes the trees of two meshes, both a Bvh or both a PosedMesh: "
                 "hausdorff_distance(build_bvh(a), build_bvh(b))")
 hausdorff_distance(PLUMB_ANYTHING) PLUMB_DELETED;
 
 // What does a ray hit?
-template <class Answer = bool>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(bool,
                 "plumb: first_triangles takes a span of AnyRay, the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
                 "PosedCompactMesh, and a span of answers: first_triangles(rays, build_bvh(mesh), out)")
 first_triangles(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = bool>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(bool,
                 "plumb: first_hits takes a span of AnyRay, the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
                 "PosedCompactMesh, and a span of answers: first_hits(rays, build_bvh(mesh), out)")
 first_hits(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::optional<std::uint32_t>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::optional<std::uint32_t>,
                 "plumb: first_triangle takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
                 "PosedMesh or PosedCompactMesh: first_triangle(ray, build_bvh(mesh))")
 first_triangle(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<NumberedHit>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::vector<NumberedHit>,
                 "plumb: ordered_hits takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
                 "PosedMesh or PosedCompactMesh: ordered_hits(ray, build_bvh(mesh))")
 ordered_hits(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::size_t>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::size_t,
                 "plumb: count_hits takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
                 "PosedMesh or PosedCompactMesh: count_hits(ray, build_bvh(mesh))")
 count_hits(PLUMB_ANYTHING) PLUMB_DELETED;
 
 // Which are near, and which nearest?
-template <class Answer = std::vector<std::uint32_t>>
 PLUMB_NO_ANSWER(
-    Answer,
+    std::vector<std::uint32_t>,
     "plumb: in_box takes an index of points or figures and then an Aabb2 or Aabb3: in_box(build_kd_tree(points), box)")
 in_box(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = std::vector<std::uint32_t>>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(std::vector<std::uint32_t>,
                 "plumb: within takes an index of points or figures, a point and then a radius: "
                 "within(build_kd_tree(points), p, 2.0)")
 within(PLUMB_ANYTHING) PLUMB_DELETED;
 
-template <class Answer = NearestPoint>
-PLUMB_NO_ANSWER(Answer,
+PLUMB_NO_ANSWER(NearestPoint,
                 "plumb: nearest takes an index, of points (build_kd_tree), of figures (build_figure_tree), a batch or "
                 "a hybrid one, and then a point of its space: nearest(build_kd_tree(points), p)")
 nearest(PLUMB_ANYTHING) PLUMB_DELETED;

@@ -1,6 +1,6 @@
 """Runs the benchmarks that two builds have in common by turns, and prints what takes longer in the second.
 
-  python3 tests/bench/old_and_new.py OLD/build/bench build/bench [ROUNDS [bench_NAME...]]
+  python3 tests/bench/report/old_and_new.py OLD/build/bench build/bench [ROUNDS [bench_NAME...]]
 
 The least of ROUNDS runs (2 if nothing is said) of each counts, in processor time, on one core; rivals are not asked.
 """
