@@ -34,9 +34,6 @@ concept PosedSection = PosedFigures<A, B> && requires(const UnposedType<A>& a, c
 
 FlatIntersection posed_planes(const PosedView& a, const PosedView& b);
 
-constexpr bool is_plane_kind(FigureKind kind) {
-  return is_one_of(kind, {FigureKind::plane, FigureKind::three_point_plane});
-}
 template <class A, class B>
 concept PosedPlanes = PosedFigures<A, B> && figure_dimension<UnposedType<A>>
 == 3 && is_plane_kind(figure_kind<UnposedType<A>>) && is_plane_kind(figure_kind<UnposedType<B>>);
