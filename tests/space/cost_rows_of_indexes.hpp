@@ -47,7 +47,7 @@ inline PortalCells rooms_along_x(const Cloud& c) {
 
 /// Least of a node on each axis, as a bound that tells nothing of it.
 inline constexpr auto least_x = [](const BoxNode& node) { return node.min[0]; };
-inline constexpr auto pass_over = [](auto...) {};
+inline constexpr auto pass_over = [](const auto&...) {};
 inline constexpr auto all_meet = [](const auto&, const auto&) { return true; };
 
 inline const CostRow rows_of_indexes[]{

@@ -12,6 +12,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "space/cost_rows_of_figures.hpp"
@@ -37,6 +38,14 @@ constexpr Measured measured[]{{Exponents::ordinary, 9},
                               {Exponents::ordinary, 0},
                               {Exponents::of_coordinates, 18}};
 
+/// Made once for all rows: their hulls take longer than most of what is asked of them.
+const Cloud& kept_cloud(Exponents exponents, std::size_t size, std::uint64_t index) {
+  static std::map<std::tuple<Exponents, std::size_t, std::uint64_t>, Cloud> kept;
+  const auto [at, is_new] = kept.try_emplace({exponents, size, index});
+  if (is_new) at->second = cloud(exponents, size, index);
+  return at->second;
+}
+
 /// Asks every question of every cloud, between calls of `before` and `after`.
 template <class Before, class After>
 void ask_all(const Before& before, const After& after) {
@@ -45,15 +54,15 @@ void ask_all(const Before& before, const After& after) {
   for (const CostRow& row : all_rows()) {
     const bool is_asked = only == nullptr || std::string_view(row.name).find(only) != std::string_view::npos;
     for (const auto& [exponents, points] : measured) {
-      std::vector<Cloud> asked;
+      std::vector<const Cloud*> asked;
       if (is_asked) {
         const std::size_t size = points == 0 ? row.many : points;
-        for (std::uint64_t i = 0; i < row.clouds; ++i) asked.push_back(cloud(exponents, size, i));
+        for (std::uint64_t i = 0; i < row.clouds; ++i) asked.push_back(&kept_cloud(exponents, size, i));
       }
       before();
-      for (const Cloud& c : asked) {
+      for (const Cloud* c : asked) {
         try {
-          row.ask(c);
+          row.ask(*c);
         } catch (const Error&) {  // what doubles do not hold
         }
       }
