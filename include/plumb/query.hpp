@@ -51,7 +51,6 @@
 
 // What have they in common?  intersection
 #include "plumb/certify/exact_point.hpp"                // a corner as it is
-#include "plumb/query/section/flat.hpp"                 // of polygons and rectangles, of oriented boxes of the plane
 #include "plumb/query/section/intersection.hpp"         // in space
 #include "plumb/query/section/intersection2.hpp"        // in the plane
 #include "plumb/query/section/intersection_result.hpp"  // nothing, a point, a segment, a polygon
@@ -129,5 +128,6 @@
 #include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
 #include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance
 #include "plumb/query/time_of_impact/posed.hpp"                // polygons, polytopes, figures under poses, along lines
+#include "plumb/query/time_of_impact/posed_corners.hpp"        // vertices that move from pose to pose
 #include "plumb/query/time_of_impact/restated.hpp"             // boxes by width or by center
 #include "plumb/query/time_of_impact/translating_contact.hpp"  // convex figures along lines

@@ -137,6 +137,55 @@ TEST(OwnFigure, IsAskedWithEveryFigure) {
   EXPECT_THROW(relate(mine::Cushion{cushion.core, -1}, cushion), InvalidShape);
 }
 
+TEST(OwnFigure, KeepsItsAnswersUnderACommonRigidPose) {
+  std::array<int, 3> seen{};
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    Entropy e(24, i);
+    const auto number = [&e] { return static_cast<double>(e.within(4)); };
+    const auto point = [&number] { return Point3{number(), number(), number()}; };
+    mine::Cushion cushion{{point(), point(), point()}, static_cast<double>(e.below(4))};
+    if (e.below(4) == 0) cushion.core.c = cushion.core.b;
+    const mine::Cushion other{{point(), point(), point()}, static_cast<double>(e.below(2))};
+    const RigidPose turn{{1 + static_cast<double>(e.below(3)), number(), number(), number()}, {number(), 3, 0.1}};
+    const RigidChain chain{{turn, {{2, 1, 0, 0}, {1, 0, 0}}}};
+    const auto expect = [&](const auto& a, const auto& b, const auto& pose) {
+      const Posed p{a, pose}, q{b, pose};
+      const Relation expected = relate(a, b);
+      ++seen[static_cast<std::size_t>(static_cast<int>(expected) + 1)];
+      EXPECT_EQ(relate(p, q), expected) << "replay: " << i;
+      EXPECT_EQ(relate(q, p), expected) << "replay: " << i;
+      EXPECT_EQ(intersects(p, q), expected != Relation::disjoint) << "replay: " << i;
+      EXPECT_EQ(distance(p, q), distance(a, b)) << "replay: " << i;
+      EXPECT_EQ(compare(exact_distance(p, q), exact_distance(a, b)), Sign::zero) << "replay: " << i;
+      EXPECT_EQ(gjk_intersects(p, q), gjk_intersects(a, b)) << "replay: " << i;
+      EXPECT_EQ(gjk_distance(p, q), gjk_distance(a, b)) << "replay: " << i;
+      EXPECT_EQ(closest_points(p, q).distance, closest_points(a, b).distance) << "replay: " << i;
+      const auto deep = penetration(p, q), as_it_stands = penetration(a, b);
+      ASSERT_EQ(deep.has_value(), as_it_stands.has_value()) << "replay: " << i;
+      EXPECT_TRUE(!deep || deep->depth == as_it_stands->depth) << "replay: " << i;
+      const auto touch = contact(p, q, {.margin = 99}), before = contact(a, b, {.margin = 99});
+      ASSERT_TRUE(touch && before) << "replay: " << i;
+      EXPECT_EQ(touch->distance, before->distance) << "replay: " << i;
+    };
+    const auto with_all = [&](const auto& pose) {
+      expect(cushion, other, pose), expect(cushion, Sphere3{point(), 1}, pose);
+      expect(Tetrahedron3{point(), point(), point(), point()}, cushion, pose);
+      EXPECT_EQ(relate(AnyFigure(Posed{other.core, pose}), Posed{cushion, pose}), relate(other.core, cushion)) << i;
+      const Aabb3 room{{-6, -6, -6}, {6, 6, 6}};
+      EXPECT_EQ(contains(Posed{room, pose}, Posed{cushion, pose}), contains(room, cushion)) << "replay: " << i;
+    };
+    with_all(turn), with_all(chain);
+  }
+  for (const int n : seen) EXPECT_GT(n, 8);
+  // Of a kind it stands under any pose, with a radius that is left under a rigid one alone.
+  const Pose sheared{{{{1, 0, 0}, {1, 1, 0}, {0, 0, 1}}}, {0, 0, 5}};
+  const mine::Cushion cushion{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, 1}, thin{cushion.core, 0};
+  EXPECT_EQ(distance(Posed{thin, sheared}, Point3{1, 1, 0}), 5);
+  EXPECT_THROW(distance(Posed{cushion, sheared}, Point3{1, 1, 0}), UnevenPose);
+  EXPECT_THROW(gjk_distance(Posed{cushion, sheared}, Point3{1, 1, 0}), UnevenPose);
+  EXPECT_THROW(relate(Posed{cushion, RigidPose{{0, 0, 0, 0}, {}}}, Point3{1, 1, 0}), InvalidShape);
+}
+
 TEST(OwnFigure, SaysItself) {
   mine::Cushion cushion{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}, 10};
   EXPECT_EQ(name_of_figure(cushion), "cushion");

@@ -23,7 +23,7 @@ struct CostRow {
   const char* name;
   const char* header;  // in include/plumb
   Growth growth;
-  double most;  // millions of instructions for four clouds of nine points, of each kind
+  double most;  // millions of instructions for all clouds of nine points, of each kind
   void (*ask)(const Cloud&);
   std::size_t many = 72;     // points, of ordinary exponents, by which growth is measured
   std::uint64_t clouds = 4;  // of each kind

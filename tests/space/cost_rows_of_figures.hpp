@@ -8,12 +8,13 @@
 namespace plumb::cost {
 
 inline const CostRow rows_of_figures[]{
-    {"real_roots", "arith/root.hpp", fixed, 1000,
+    {"real_roots", "arith/root.hpp", fixed, 300,
      [](const Cloud& c) {
        std::vector<Rational> coefficients;
        for (std::size_t i = 0; i < 5; ++i) coefficients.emplace_back(c.a[i].x);
        for (const Root& r : real_roots(coefficients)) (void)r.rounded();
-     }},
+     },
+     72, 1},
     // figure
     {"convex_hull, plane", "figure/hull/hull2.hpp", sorting, 1, [](const Cloud& c) { (void)convex_hull(c.flat); }},
     {"convex_hull, plane, quickhull", "figure/hull/hull2.hpp", quadratic, 1,
@@ -48,8 +49,8 @@ inline const CostRow rows_of_figures[]{
     {"merge of capsules", "figure/swept_sphere/swept_sphere.hpp", linear, 5,
      [](const Cloud& c) { (void)merge(capsule(c.a), capsule(c.b)); }},
     {"merge of boxes", "figure/obb/obb.hpp", fixed, 20, [](const Cloud& c) { (void)merge(box(c.a), box(c.b)); }},
-    {"choose_bound", "figure/bound/choose_bound.hpp", quadratic, 500,
-     [](const Cloud& c) { (void)choose_bound(c.a, {}, {.placements = 4}); }},
+    {"choose_bound", "figure/bound/choose_bound.hpp", quadratic, 200,
+     [](const Cloud& c) { (void)choose_bound(c.a, {}, {.placements = 4}); }, 72, 1},
     {"hull_proxy", "figure/bound/proxy.hpp", cubic, 20, [](const Cloud& c) { (void)hull_proxy(c.mesh); }},
     {"relate of k-DOPs", "figure/k_dop/k_dop.hpp", linear, 1,
      [](const Cloud& c) { (void)relate(fit_k_dop(c.a, 14), fit_k_dop(c.b, 14)); }},
@@ -70,6 +71,13 @@ inline const CostRow rows_of_figures[]{
     {"is_convex", "figure/basic/convexity.hpp", linear, 5, [](const Cloud& c) { (void)is_convex(chain(c)); }},
     {"support_point", "figure/support/support.hpp", linear, 1,
      [](const Cloud& c) { (void)support_point(c.p, vector(c.b[0])); }},
+    {"ClimbingAabb", "figure/aabb/climbing_aabb.hpp", linear, 5,
+     [](const Cloud& c) {
+       ClimbingAabb climbing(c.p);
+       (void)climbing(pose(c.a)), (void)climbing(pose(c.b));
+     }},
+    {"surface_area, mesh", "figure/measures/measures.hpp", sorting, 20,
+     [](const Cloud& c) { (void)surface_area(c.mesh); }},
     // query
     {"relate, ellipsoid and triangle", "query/overlap/ellipsoid.hpp", linear, 50,
      [](const Cloud& c) { (void)relate(ellipsoid(c.a), triangle(c.b)); }},
@@ -96,6 +104,17 @@ inline const CostRow rows_of_figures[]{
      }},
     {"distance, triangles", "query/closest/closest.hpp", quadratic, 20,
      [](const Cloud& c) { (void)distance(triangle(c.a), triangle(c.b)); }},
+    {"closest_points, triangles", "query/closest/pairs.hpp", quadratic, 20,
+     [](const Cloud& c) { (void)closest_points(triangle(c.a), triangle(c.b)); }, 72, 2},
+    {"nearest of a batch", "query/closest/batch.hpp", linear, 20,
+     [](const Cloud& c) { (void)nearest(TriangleBatch(c.triangles), c.b[0]); }},
+    {"gjk, first pair", "query/closest/which_pair.hpp", quadratic, 200,
+     [](const Cloud& c) { (void)gjk(c.p, c.q, {.pair = WhichPair::first}); }, 72, 2},
+    {"closest_points, posed boxes", "query/separation/posed.hpp", quadratic, 50,
+     [](const Cloud& c) {
+       (void)closest_points(Posed{box(c.a), pose(c.b)}, box(c.b));
+     },
+     72, 1},
     {"exact_distance, capsules", "query/separation/separation.hpp", quadratic, 50,
      [](const Cloud& c) { (void)exact_distance(capsule(c.a), capsule(c.b)); }},
     {"distance", "query/separation/separation.hpp", quadratic, 50, [](const Cloud& c) { (void)distance(c.p, c.q); }},
@@ -103,6 +122,19 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) { (void)relate_with_proof(c.p, c.q); }},
     {"intersection, triangles", "query/section/intersection.hpp", quadratic, 20,
      [](const Cloud& c) { (void)intersection(triangle(c.a), triangle(c.b)); }},
+    {"intersection, polygons of space", "query/section/intersection.hpp", quadratic, 20,
+     [](const Cloud& c) {
+       (void)intersection(Polygon3{{c.a[0], c.a[1], c.a[2]}}, triangle(c.b));
+     }},
+    {"intersection, plane", "query/section/intersection2.hpp", quadratic, 5,
+     [](const Cloud& c) {
+       (void)intersection(Triangle2{c.flat[0], c.flat[1], c.flat[2]}, Triangle2{c.flat[3], c.flat[4], c.flat[5]});
+     }},
+    {"intersection, posed triangles", "query/section/posed.hpp", quadratic, 50,
+     [](const Cloud& c) {
+       (void)intersection(Posed{triangle(c.a), pose(c.b)}, triangle(c.b));
+     },
+     72, 1},
     {"intersection, polyhedra", "query/section/solid.hpp", quadratic, 500,
      [](const Cloud& c) { (void)intersection(c.p, c.q); }},
     {"separating_face", "query/convex/separating_face.hpp", quadratic, 50,
@@ -124,10 +156,11 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) {
        (void)first_hit(Ray3{c.b[0], vector(c.b[1])}, c.p);
      }},
-    {"first_hit, posed box", "query/ray/posed.hpp", linear, 700,
+    {"first_hit, posed box", "query/ray/posed.hpp", linear, 200,
      [](const Cloud& c) {
        (void)first_hit(Ray3{c.b[0], vector(c.b[1])}, Posed{box(c.a), pose(c.b)});
-     }},
+     },
+     72, 1},
     {"first_hit, polygon", "query/ray/ray2.hpp", linear, 20,
      [](const Cloud& c) {
        (void)first_hit(Ray2{{c.b[0].x, c.b[0].y}, {c.b[1].x, c.b[1].y}}, chain(c));
@@ -139,6 +172,22 @@ inline const CostRow rows_of_figures[]{
     {"locate, mesh", "query/ray/parity.hpp", linear, 5, [](const Cloud& c) { (void)winding_number(c.mesh, c.b[0]); }},
     {"gjk_intersects", "query/gjk/gjk.hpp", quadratic, 50, [](const Cloud& c) { (void)gjk_intersects(c.p, c.q); }},
     {"gjk", "query/gjk/gjk.hpp", quadratic, 200, [](const Cloud& c) { (void)gjk(c.p, c.q); }},
+    {"gjk of many pairs", "query/gjk/batch.hpp", quadratic, 100,
+     [](const Cloud& c) {
+       const std::vector<AnyBody3> bodies{any_body(c.p), any_body(c.q)};
+       const std::vector<BodyPair> pairs{{0, 1}, {1, 0}};
+       std::vector<std::uint8_t> meet(2);
+       gjk_intersects(bodies, pairs, meet);
+     },
+     72, 2},
+    {"gjk_intersects_moving", "query/gjk/swept.hpp", quadratic, 100,
+     [](const Cloud& c) { (void)gjk_intersects_moving(c.p, vector(c.a[0]), c.q); }, 72, 2},
+    {"gjk_bounds of mappings", "query/gjk/support_mapping.hpp", quadratic, 100,
+     [](const Cloud& c) {
+       (void)gjk_bounds([&](const Vector3& d) { return support_point(c.a, d).point; },
+                        [&](const Vector3& d) { return support_point(c.b, d).point; });
+     },
+     72, 2},
     {"gjk_bounds", "query/gjk/figure_support.hpp", linear, 50,
      [](const Cloud& c) { (void)gjk_bounds(cone(c.a), cone(c.b)); }},
     {"vclip", "query/vclip/vclip.hpp", quadratic, 20, [](const Cloud& c) { (void)vclip(c.p, c.q); }},
@@ -185,11 +234,12 @@ inline const CostRow rows_of_figures[]{
        (void)first_contact(Moving<Segment3>{{c.a[0], c.a[1]}, {c.a[2], c.a[3]}},
                            Moving<Segment3>{{c.b[0], c.b[1]}, {c.b[2], c.b[3]}});
      }},
-    {"first_contact within a separation", "query/time_of_impact/continuous_contact.hpp", fixed, 1000,
+    {"first_contact within a separation", "query/time_of_impact/continuous_contact.hpp", fixed, 400,
      [](const Cloud& c) {
        (void)first_contact(Moving<Point3>{c.a[0], c.a[1]}, Moving<Triangle3>{triangle(c.b), triangle(c.b, 3)},
                            {.separation = std::fabs(c.a[2].x)});
-     }},
+     },
+     72, 1},
     {"first_contact_time", "query/time_of_impact/continuous_contact.hpp", fixed, 50,
      [](const Cloud& c) {
        (void)first_contact_time(Moving<Point3>{c.a[0], c.a[1]}, Moving<Triangle3>{triangle(c.b), triangle(c.b, 3)});
@@ -202,14 +252,16 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) {
        (void)first_contact(Translating<ConvexPolyhedron3>{c.p, vector(c.a[4])}, c.q);
      }},
-    {"first_contact, flat", "query/time_of_impact/flat_contact.hpp", quadratic, 500,
+    {"first_contact, flat", "query/time_of_impact/flat_contact.hpp", quadratic, 200,
      [](const Cloud& c) {
        (void)first_contact(Translating<Polygon3>{{{c.a[0], c.a[1], c.a[2]}}, vector(c.a[4])}, tetrahedron(c.b));
-     }},
-    {"first_contact, posed", "query/time_of_impact/posed.hpp", quadratic, 1500,
+     },
+     72, 1},
+    {"first_contact, posed", "query/time_of_impact/posed.hpp", quadratic, 500,
      [](const Cloud& c) {
        (void)first_contact(Translating<Posed<Obb3>>{{box(c.a), pose(c.b)}, vector(c.a[4])}, box(c.b));
-     }},
+     },
+     72, 1},
     {"first_contact_span, moving", "query/time_of_impact/moving_distance.hpp", fixed, 5000,
      [](const Cloud& c) {
        (void)first_contact_span(Moving<Triangle3>{triangle(c.a), triangle(c.a, 3)},

@@ -19,6 +19,37 @@ void come_and_move(Index&& index, const Cloud& c) {
   (void)index.pairs();
 }
 
+/// Of a strip, which have no vertex in common.
+inline std::vector<Bvh::Corners> each_third(const std::vector<Bvh::Corners>& triangles) {
+  std::vector<Bvh::Corners> some;
+  for (std::size_t i = 0; i < triangles.size(); i += 3) some.push_back(triangles[i]);
+  return some;
+}
+
+/// Rooms one behind the other along x, with doors as large as their walls.
+inline PortalCells rooms_along_x(const Cloud& c) {
+  std::vector<double> walls;
+  for (const Point3& p : c.a) walls.push_back(p.x);
+  std::ranges::sort(walls);
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+  std::vector<ConvexPolyhedron3> cells;
+  std::vector<Portal> portals;
+  for (std::uint32_t i = 0; i + 1 < walls.size(); ++i) {
+    std::vector<Point3> corners;
+    for (const double x : {walls[i], walls[i + 1]}) {
+      for (const Point2 p : {Point2{0, 0}, Point2{1, 0}, Point2{1, 1}, Point2{0, 1}}) corners.push_back({x, p.x, p.y});
+    }
+    cells.push_back(convex_polyhedron(convex_hull(corners), corners));
+    if (i > 0) portals.push_back({{i - 1, i}, {{corners[0], corners[1], corners[2], corners[3]}}});
+  }
+  return {std::move(cells), std::move(portals)};
+}
+
+/// Least of a node on each axis, as a bound that tells nothing of it.
+inline constexpr auto least_x = [](const BoxNode& node) { return node.min[0]; };
+inline constexpr auto pass_over = [](const auto&...) {};
+inline constexpr auto all_meet = [](const auto&, const auto&) { return true; };
+
 inline const CostRow rows_of_indexes[]{
     {"build_bvh", "space/bvh/build.hpp", quadratic, 5, [](const Cloud& c) { (void)build_bvh(c.mesh); }},
     {"build_compact_bvh", "space/bvh/compact_tree.hpp", linear, 5,
@@ -51,29 +82,33 @@ inline const CostRow rows_of_indexes[]{
        const Bvh bvh = build_bvh(c.mesh);
        for (const Point3& p : asked_points(c)) (void)winding_number(bvh, p);
      }},
-    {"triangles_meeting", "space/range/range_search.hpp", linear, 200,
-     [](const Cloud& c) { (void)triangles_meeting(build_bvh(c.mesh), capsule(c.b)); }},
-    {"triangles_meeting, posed", "space/range/posed_range.hpp", linear, 500,
+    {"triangles_meeting", "space/range/range_search.hpp", linear, 100,
+     [](const Cloud& c) { (void)triangles_meeting(build_bvh(c.mesh), capsule(c.b)); }, 72, 1},
+    {"triangles_meeting, posed", "space/range/posed_range.hpp", linear, 100,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        (void)triangles_meeting(PosedMesh{bvh, pose(c.b)}, capsule(c.b));
-     }},
-    {"closest_on_mesh", "space/closest/closest_on_mesh.hpp", sorting, 500,
+     },
+     72, 1},
+    {"closest_on_mesh", "space/closest/closest_on_mesh.hpp", sorting, 100,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        for (const Point3& p : asked_points(c)) (void)closest_on_mesh(bvh, p);
-     }},
-    {"closest_on_mesh, posed", "space/closest/posed_closest.hpp", sorting, 1000,
+     },
+     72, 1},
+    {"closest_on_mesh, posed", "space/closest/posed_closest.hpp", sorting, 300,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        for (const Point3& p : asked_points(c)) (void)closest_on_mesh(PosedMesh{bvh, pose(c.b)}, p);
-     }},
+     },
+     72, 1},
     {"closest_triangles", "space/closest/closest_triangles.hpp", quadratic_log, 500,
      [](const Cloud& c) { (void)closest_triangles(build_bvh(c.mesh), build_bvh(c.other)); }},
-    {"hausdorff_distance", "space/closest/hausdorff.hpp", quadratic_log, 500,
+    {"hausdorff_distance", "space/closest/hausdorff.hpp", quadratic_log, 200,
      [](const Cloud& c) {
        (void)hausdorff_distance(build_bvh(c.mesh), build_bvh(c.other), {.execution = Execution::serial});
-     }},
+     },
+     72, 1},
     {"intersecting_pairs", "space/pairs/mesh_pairs.hpp", quadratic, 100,
      [](const Cloud& c) { (void)intersecting_pairs(build_bvh(c.mesh), build_bvh(c.other)); }},
     {"intersecting_pairs, posed", "space/pairs/posed_pairs.hpp", quadratic, 500,
@@ -87,10 +122,108 @@ inline const CostRow rows_of_indexes[]{
        PairFront front;
        for (int i = 0; i < 2; ++i) (void)front.intersecting_pairs(a, b);
      }},
-    {"first_contact, translating mesh", "space/moving/translating_mesh.hpp", quadratic_log, 2000,
-     [](const Cloud& c) { (void)first_contact(build_bvh(c.mesh), vector(c.a[0]), build_bvh(c.other)); }, 36},
-    {"contacts_in_motion", "space/moving/motion_contacts.hpp", quadratic, 7000,
-     [](const Cloud& c) { (void)contacts_in_motion(build_moving_mesh(c.a, c.b, c.mesh.triangles)); }, 36},
+    {"first_contact, translating mesh", "space/moving/translating_mesh.hpp", quadratic_log, 500,
+     [](const Cloud& c) { (void)first_contact(build_bvh(c.mesh), vector(c.a[0]), build_bvh(c.other)); }, 36, 1},
+    {"contacts_in_motion", "space/moving/motion_contacts.hpp", quadratic, 1000,
+     [](const Cloud& c) { (void)contacts_in_motion(build_moving_mesh(c.a, c.b, each_third(c.mesh.triangles))); }, 36,
+     1},
+    {"first_contact, posed mesh", "space/moving/posed_translating.hpp", quadratic_log, 500,
+     [](const Cloud& c) {
+       const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
+       (void)first_contact(PosedMesh{a, pose(c.b)}, vector(c.a[0]), PosedMesh{b, identity_pose});
+     },
+     18, 1},
+    {"contacts_in_motion, posed", "space/moving/posed_motion.hpp", quadratic, 1000,
+     [](const Cloud& c) {
+       const MovingMesh mesh = build_moving_mesh(c.a, c.b, each_third(c.mesh.triangles));
+       (void)contacts_in_motion(PosedMovingMesh{mesh, identity_pose, pose(c.b)});
+     },
+     9, 1},
+    {"build_moving_mesh", "space/moving/moving_mesh.hpp", quadratic, 5,
+     [](const Cloud& c) { (void)build_moving_mesh(c.a, c.b, c.mesh.triangles); }},
+    {"hausdorff_distance, posed", "space/closest/posed_hausdorff.hpp", quadratic_log, 500,
+     [](const Cloud& c) {
+       const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
+       (void)hausdorff_distance(PosedMesh{a, pose(c.b)}, PosedMesh{b, identity_pose}, {.execution = Execution::serial});
+     },
+     18, 1},
+    {"grouped_triangles_meeting", "space/coherence/grouped_range.hpp", linear, 20,
+     [](const Cloud& c) { (void)grouped_triangles_meeting(build_bvh(c.mesh), std::span(c.boxes).first(9)); }},
+    {"KeptRange", "space/coherence/kept_range.hpp", linear, 20,
+     [](const Cloud& c) {
+       const Bvh bvh = build_bvh(c.mesh);
+       KeptRange kept(bvh);
+       for (int i = 0; i < 3; ++i) (void)kept.triangles_meeting(c.boxes[0]);
+     }},
+    {"LastPair", "space/coherence/last_answer.hpp", quadratic_log, 100,
+     [](const Cloud& c) {
+       const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
+       LastPair last;
+       for (int i = 0; i < 2; ++i) (void)any_intersecting_pair(a, b, last);
+     }},
+    // trees by themselves
+    {"descend", "space/bvh/descend.hpp", sorting, 1,
+     [](const Cloud& c) {
+       const BoxTree tree = build_box_tree(c.boxes);
+       float limit = HUGE_VALF;
+       (void)descend_nearest_first(tree, limit, least_x, pass_over);
+     }},
+    {"descend, compact", "space/bvh/descend_compact.hpp", sorting, 5,
+     [](const Cloud& c) {
+       const CompactBvh compacted = compact(build_bvh(c.mesh));
+       float limit = HUGE_VALF;
+       (void)descend_nearer_first(compacted.tree, limit, least_x, pass_over);
+     }},
+    {"descend_pairs", "space/bvh/descend_pairs.hpp", quadratic, 1,
+     [](const Cloud& c) {
+       const BoxTree tree = build_box_tree(c.boxes);
+       (void)descend_pairs(tree, tree, descend_larger{}, all_meet, pass_over);
+     }},
+    {"descend_pairs, compact", "space/bvh/descend_compact_pairs.hpp", quadratic, 5,
+     [](const Cloud& c) {
+       const CompactBvh compacted = compact(build_bvh(c.mesh));
+       (void)descend_pairs(compacted.tree, compacted.tree, descend_larger{}, all_meet, pass_over);
+     }},
+    {"build_volume_tree", "space/bvh/volume_tree.hpp", linear, 50,
+     [](const Cloud& c) { (void)build_volume_tree<Sphere3>(build_bvh(c.mesh)); }},
+    {"intersecting_pairs by volumes", "space/pairs/volume_pairs.hpp", quadratic, 100,
+     [](const Cloud& c) {
+       const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
+       const auto balls_a = build_volume_tree<Sphere3>(a), balls_b = build_volume_tree<Sphere3>(b);
+       (void)intersecting_pairs(VolumeMesh{a, balls_a}, VolumeMesh{b, balls_b});
+     }},
+    {"triangles_meeting by volumes", "space/range/volume_range.hpp", linear, 50,
+     [](const Cloud& c) {
+       const Bvh bvh = build_bvh(c.mesh);
+       (void)triangles_meeting(bvh, build_volume_tree<Sphere3>(bvh), Segment3{c.b[0], c.b[1]});
+     }},
+    {"first_hit by volumes", "space/ray/volume_ray.hpp", linear, 50,
+     [](const Cloud& c) {
+       const Bvh bvh = build_bvh(c.mesh);
+       const auto volumes = build_volume_tree<Sphere3>(bvh);
+       (void)first_hit(Ray3{c.b[0], vector(c.b[1])}, VolumeMesh{bvh, volumes});
+     }},
+    {"distance_bounds", "space/pairs/sphere_levels.hpp", quadratic_log, 200,
+     [](const Cloud& c) {
+       const SphereTreeOptions options{.levels = 3};
+       (void)distance_bounds(build_sphere_tree(c.mesh, options), build_sphere_tree(c.other, options));
+     },
+     36, 1},
+    // cells
+    {"PortalCells", "space/cells/portal_cells.hpp", linear, 50, [](const Cloud& c) { (void)rooms_along_x(c); }, 36, 1},
+    {"passage", "space/cells/passage.hpp", quadratic, 100,
+     [](const Cloud& c) {
+       const PortalCells rooms = rooms_along_x(c);
+       const auto end = [&](std::size_t k) { return Point3{rooms.cells()[k].mesh.vertices[0].x, 0.5, 0.25}; };
+       (void)passage(rooms, 0, {end(0), end(rooms.cells().size() - 1)});
+     },
+     36, 1},
+    {"seen_from", "space/cells/visibility.hpp", quadratic, 200,
+     [](const Cloud& c) {
+       const PortalCells rooms = rooms_along_x(c);
+       (void)seen_from(rooms, 0, {rooms.cells()[0].mesh.vertices[0].x, 0.5, 0.25});
+     },
+     36, 1},
     // boxes
     {"overlapping_pairs", "space/broad_phase/overlapping_pairs.hpp", quadratic, 20,
      [](const Cloud& c) {
@@ -129,7 +262,44 @@ inline const CostRow rows_of_indexes[]{
        const auto world = build_grid_of_trees(c.boxes, {.in_part = 4, .most_in_list = 2});
        (void)overlapping_pairs(world), (void)nearest(world, c.b[0]);
      }},
+    {"brute_force_pairs", "space/pairs/brute_force_pairs.hpp", quadratic, 1,
+     [](const Cloud& c) { (void)brute_force_pairs(c.boxes); }},
+    {"choose_index", "space/broad_phase/choose_index.hpp", sorting, 50,
+     [](const Cloud& c) { (void)choose_index(c.boxes); }},
+    {"MovingBoxes", "space/broad_phase/moving_boxes.hpp", quadratic, 5,
+     [](const Cloud& c) {
+       MovingBoxes world;
+       const std::vector<BoxHandle> handles = world.insert(c.boxes);
+       (void)world.changes();
+       for (std::size_t i = 0; i < handles.size(); ++i) world.update(handles[i], c.boxes[(i + 1) % handles.size()]);
+       (void)world.changes(), (void)world.pairs();
+     }},
+    {"GridWalk", "space/grid/grid_walk.hpp", fixed, 5,
+     [](const Cloud& c) {
+       const CellGrid3 grid{c.a[0], {std::fabs(c.a[1].x), std::fabs(c.a[1].y), std::fabs(c.a[1].z)}};
+       GridWalk<3> walk(grid, Ray3{c.b[0], vector(c.b[1])}, {.range = {{-4, -4, -4}, {4, 4, 4}}});
+       while (walk.next()) {
+       }
+     }},
+    {"cells_along in an octree", "space/octree/cell_walk.hpp", sorting, 50,
+     [](const Cloud& c) {
+       const auto tree = build_octree(c.a);
+       for (const Point3& p : asked_points(c)) (void)cells_along(tree.cells, Ray3{c.b[0], vector(p)}, CellWalk::closed);
+     }},
     // points and figures
+    {"cells_along in a kd-tree", "space/kd_tree/cells_along.hpp", linear, 5,
+     [](const Cloud& c) {
+       const KdTree3 tree = build_kd_tree(c.a);
+       for (const Point3& p : asked_points(c)) (void)cells_along(tree, Ray3{c.b[0], vector(p)});
+     }},
+    {"first_item_hit", "space/ray/shape_ray.hpp", sorting, 20,
+     [](const Cloud& c) {
+       const BoxTree tree = build_box_tree(c.boxes);
+       for (const Point3& p : asked_points(c)) {
+         const Ray3 ray{c.b[0], vector(p)};
+         (void)first_item_hit(ray, tree, [&](std::uint32_t i) { return first_hit_parameter(ray, c.boxes[i]); });
+       }
+     }},
     {"nearest in a kd-tree", "space/kd_tree/nearest_point.hpp", sorting, 10,
      [](const Cloud& c) {
        const KdTree3 tree = build_kd_tree(c.a);
@@ -143,11 +313,12 @@ inline const CostRow rows_of_indexes[]{
      }},
     {"build_figure_tree", "space/kd_tree/figure_tree.hpp", sorting, 5,
      [](const Cloud& c) { (void)build_figure_tree(c.triangles); }},
-    {"nearest in a figure tree", "space/kd_tree/nearest_figure.hpp", sorting, 200,
+    {"nearest in a figure tree", "space/kd_tree/nearest_figure.hpp", sorting, 100,
      [](const Cloud& c) {
        const auto tree = build_figure_tree(c.triangles);
        for (const Point3& p : asked_points(c)) (void)nearest(tree, p);
-     }},
+     },
+     72, 1},
     {"in_box in a figure tree", "space/kd_tree/figure_range.hpp", sorting, 50,
      [](const Cloud& c) {
        const auto tree = build_figure_tree(c.triangles);
@@ -164,6 +335,13 @@ inline const CostRow rows_of_indexes[]{
      [](const Cloud& c) { (void)overlapping_pairs(build_split_tree(c.triangles)); }},
     // surface
     {"find_edges", "surface/topology.hpp", sorting, 1, [](const Cloud& c) { (void)mesh_statistics(c.mesh); }},
+    {"read_mesh", "surface/read_mesh.hpp", sorting, 20,
+     [](const Cloud& c) {
+       const std::string text = format_mesh(to_polygons(c.mesh), MeshFormat::stl);
+       (void)parse_mesh(text, MeshFormat::stl, "mesh");
+     }},
+    {"format_mesh", "surface/write_mesh.hpp", linear, 20,
+     [](const Cloud& c) { (void)format_mesh(to_polygons(c.mesh), MeshFormat::obj); }},
     {"triangulate", "surface/triangulate.hpp", quadratic, 20,
      [](const Cloud& c) {
        PolygonMesh mesh{c.a, {}, {0, static_cast<std::uint32_t>(c.a.size())}};

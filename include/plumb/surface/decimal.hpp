@@ -6,7 +6,7 @@
 // infinity and a NaN are no number.
 // Source: Clinger (PLDI 1990) for what is exact in doubles; the remainder of a rounded quotient is a double.
 // Cost: some 30 ns for decimals of up to 15 digits; the exact distance of longer ones is taken only where it could be a
-// new largest, linear in their length.
+// new largest, linear in their length.  Nothing is searched.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,8 @@
 // Every error names the file, the line (text) or the byte (binary) where there is one, what was found, what was
 // expected, and the mend.
 // Source: the formats as their authors published them.
-// Cost: recognition looks at the first few lines only, but looks for the asset of a glTF.
+// Cost: recognition looks at the first few lines only, but looks for the asset of a glTF.  Nothing is searched but
+// the file's first lines.
 #pragma once
 
 #include <cstdint>

@@ -102,6 +102,8 @@ Reach3 reach_of(const Quadrilateral2& s) { return {raised({sound(s).a, s.b, s.c,
 Reach3 reach_of(const Quadrilateral3& s) { return {{sound(s).a, s.b, s.c, s.d}, {}}; }
 Reach3 reach_of(const Polygon2& s) { return {raised(sound(s).vertices), {}}; }
 Reach3 reach_of(const Polygon3& s) { return {sound(s).vertices, {}}; }
+Reach3 reach_of(const HoledPolygon2& s) { return {raised(sound(s).outer.vertices), {}}; }
+Reach3 reach_of(const HoledPolygon3& s) { return {sound(s).outer.vertices, {}}; }
 Reach3 reach_of(const ConvexPolyhedron3& s) { return {sound(s).mesh.vertices, {}}; }
 Reach3 reach_of(const Circle2& s) { return {{in_space(sound(s).center)}, {}, s.radius}; }
 Reach3 reach_of(const Sphere3& s) { return {{sound(s).center}, {}, s.radius}; }

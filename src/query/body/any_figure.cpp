@@ -33,12 +33,13 @@ bool operator==(const AnyFigure& a, const AnyFigure& b) {
 AnyFigure AnyFigure::under(const AnyPose& pose) const {
   const bool fits = std::visit(
       [this]<class By>(const By&) {
-        return std::is_same_v<By, std::monostate> || (dimension_ == 2) == std::is_same_v<By, Pose2>;
+        return std::is_same_v<By, std::monostate> || (dimension_ == 2 ? PoseOfPlane<By> : PoseOfSpace<By>);
       },
       pose);
   if (!fits) {
     throw Unsupported("a pose of " + std::string(dimension_ == 2 ? "space" : "the plane") + " moves no " +
-                      named(figure()) + "; give a " + (dimension_ == 2 ? "Pose2" : "Pose"));
+                      named(figure()) + "; give a " +
+                      (dimension_ == 2 ? "Pose2, a RigidPose2 or a RigidChain2" : "Pose, a RigidPose or a RigidChain"));
   }
   AnyFigure there = *this;
   there.pose_ = pose;

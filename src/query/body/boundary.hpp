@@ -104,23 +104,23 @@ void tell_features_of_box(To& to) {
   }
 }
 
-template <class T, class Shape, class To>
-void tell_corners_of_box(const Shape& s, To& to) {
+template <class T, class Shape, class F>
+void for_each_corner_of_box(const Shape& s, const F& f) {
   if constexpr (requires { s.min; }) {
     const arith::Vec<T> low = arith::vec<T>(s.min), high = arith::vec<T>(s.max);
     for (Corner i = 0; i < (1u << figure_dimension<Shape>); ++i)
-      to.corner({(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z});
+      f({(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z});
   } else if constexpr (requires { s.edges; }) {
     const arith::Vec<T> at = arith::vec<T>(s.corner), u = arith::vec<T>(s.edges[0]), v = arith::vec<T>(s.edges[1]);
-    for (const arith::Vec<T>& p : {at, at + u, at + v, at + u + v}) to.corner(p);
+    for (const arith::Vec<T>& p : {at, at + u, at + v, at + u + v}) f(p);
   } else {
     const auto half = coordinates(s.half);
     const auto reach = [&](std::size_t k) { return arith::vec<T>(s.axes[k]) * T(std::fabs(half[k])); };
     const arith::Vec<T> center = arith::vec<T>(s.center), u = reach(0), v = reach(1);
     const arith::Vec<T> low = center - u, high = center + u;
     const auto tell = [&](const auto& ends) {
-      for (const arith::Vec<T>& p : {low, high}) to.corner(ends(p - v));
-      for (const arith::Vec<T>& p : {low, high}) to.corner(ends(p + v));
+      for (const arith::Vec<T>& p : {low, high}) f(ends(p - v));
+      for (const arith::Vec<T>& p : {low, high}) f(ends(p + v));
     };
     if constexpr (half.size() == 2) {
       tell([](const arith::Vec<T>& p) { return p; });
@@ -132,10 +132,9 @@ void tell_corners_of_box(const Shape& s, To& to) {
   }
 }
 
-template <class T, class To>
-void tell_polyhedron(const ConvexPolyhedron3& s, To& to) {
+template <class To>
+void tell_features_of_polyhedron(const ConvexPolyhedron3& s, To& to) {
   const PolygonMesh& mesh = s.mesh;
-  for (const Point3& p : mesh.vertices) to.corner(arith::vec<T>(p));
   const auto corners = [&](Corner f) {
     return std::span(mesh.corners).subspan(mesh.first[f], mesh.first[f + 1] - mesh.first[f]);
   };
@@ -150,30 +149,42 @@ void tell_polyhedron(const ConvexPolyhedron3& s, To& to) {
 
 }  // namespace boundary
 
+template <class Shape>
+inline constexpr bool has_boundary_of_box = is_one_of(figure_kind<Shape>, {FigureKind::aabb, FigureKind::obb,
+                                                                           FigureKind::rectangle, FigureKind::lozenge});
+
+/// Calls f(Vec<T>) with the corners in turn.
+template <class T, class Shape, class F>
+requires has_boundary<Shape>
+void for_each_corner(const Shape& s, const F& f) {
+  if constexpr (figure_kind<Shape> == FigureKind::convex_polyhedron) {
+    for (const Point3& p : s.mesh.vertices) f(arith::vec<T>(p));
+  } else if constexpr (has_boundary_of_box<Shape>) {
+    boundary::for_each_corner_of_box<T>(s, f);
+  } else {
+    boundary::for_each_chain(
+        s, [&](const auto& chain) { boundary::for_each_place(chain, [&](const auto& p) { f(arith::vec<T>(p)); }); });
+  }
+}
+
 /// Calls to.corner(Vec<T>), to.edge(from, to, number) and to.face(span of corners, number).
 template <class T, class Shape, class To>
 requires has_boundary<Shape>
 void tell_boundary(const Shape& s, To& to) {
   constexpr FigureKind kind = figure_kind<Shape>;
+  for_each_corner<T>(s, [&to](const arith::Vec<T>& p) { to.corner(p); });
   if constexpr (kind == FigureKind::convex_polyhedron) {
-    boundary::tell_polyhedron<T>(s, to);
-  } else if constexpr (is_one_of(kind,
-                                 {FigureKind::aabb, FigureKind::obb, FigureKind::rectangle, FigureKind::lozenge})) {
+    boundary::tell_features_of_polyhedron(s, to);
+  } else if constexpr (has_boundary_of_box<Shape>) {
     constexpr bool is_solid = figure_dimension<Shape> == 3 && (kind == FigureKind::aabb || kind == FigureKind::obb);
-    boundary::tell_corners_of_box<T>(s, to);
     boundary::tell_features_of_box<is_solid ? 3 : 2>(to);
-  } else {
-    boundary::for_each_chain(s, [&](const auto& chain) {
-      boundary::for_each_place(chain, [&](const auto& p) { to.corner(arith::vec<T>(p)); });
-    });
-    if constexpr (kind == FigureKind::tetrahedron) {
-      boundary::tell_features_of_tetrahedron(to);
-    } else if constexpr (kind == FigureKind::segment || kind == FigureKind::capsule) {
-      to.edge(0, 1, 0);
-    } else if constexpr (kind == FigureKind::triangle || is_one_of(kind, polygon_kinds)) {
-      boundary::tell_edges_of_chains(s, to);
-      if constexpr (kind == FigureKind::triangle) to.face(std::array<boundary::Corner, 3>{0, 1, 2}, 0);
-    }
+  } else if constexpr (kind == FigureKind::tetrahedron) {
+    boundary::tell_features_of_tetrahedron(to);
+  } else if constexpr (kind == FigureKind::segment || kind == FigureKind::capsule) {
+    to.edge(0, 1, 0);
+  } else if constexpr (kind == FigureKind::triangle || is_one_of(kind, polygon_kinds)) {
+    boundary::tell_edges_of_chains(s, to);
+    if constexpr (kind == FigureKind::triangle) to.face(std::array<boundary::Corner, 3>{0, 1, 2}, 0);
   }
 }
 

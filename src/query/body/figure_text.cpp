@@ -61,6 +61,11 @@ std::vector<double> row_of(const Shape& s) {
       count(s.mesh.first[f + 1] - s.mesh.first[f]);
       for (std::size_t i = s.mesh.first[f]; i < s.mesh.first[f + 1]; ++i) count(s.mesh.corners[i]);
     }
+  } else if constexpr (requires { s.links; }) {
+    for (const auto& link : s.links) {
+      const std::vector<double> one = row_of(link);
+      row.insert(row.end(), one.begin(), one.end());
+    }
   } else {
     append(row, s.vertices);
   }
@@ -153,26 +158,64 @@ void append(std::string& line, std::span<const double> numbers) {
   for (const double x : numbers) line.append(" ").append(hexadecimal(x));
 }
 
+/// By which word a line says how a figure stands?
+template <class By>
+std::string_view word_of_pose() {
+  if constexpr (requires(const By& by) { by.columns; }) {
+    return "pose";
+  } else if constexpr (requires(const By& by) { by.turn; }) {
+    return "rigid";
+  } else {
+    return "chain";
+  }
+}
+bool says_how_it_stands(std::string_view word) {
+  return word == word_of_pose<Pose>() || word == word_of_pose<RigidPose>() || word == word_of_pose<RigidChain>();
+}
+
 /// Numbers, up to the end of the line or a word that is none.
 std::vector<double> next_numbers(std::string_view& line) {
   std::vector<double> numbers;
-  for (std::string_view rest = line, word = next_word(rest); !word.empty() && word != "pose"; word = next_word(rest)) {
+  for (std::string_view rest = line, word = next_word(rest); !word.empty() && !says_how_it_stands(word);
+       word = next_word(rest)) {
     numbers.push_back(parse_double(word));
     line = rest;
   }
   return numbers;
 }
 
+/// As many as `numbers` are.
 template <class By>
-By pose_of(std::string_view name, const std::vector<double>& numbers) {
-  constexpr std::size_t size = sizeof(By) / sizeof(double);
-  if (numbers.size() != size) {
-    throw InvalidShape(std::string(name) + ": " + std::to_string(numbers.size()) + " numbers are no pose; give " +
-                       std::to_string(size) + ", the columns and then the translation");
+std::vector<By> poses_of(const std::vector<double>& numbers) {
+  std::vector<By> poses(numbers.size() / (sizeof(By) / sizeof(double)));
+  if (!poses.empty()) std::memcpy(static_cast<void*>(poses.data()), numbers.data(), numbers.size() * sizeof(double));
+  return poses;
+}
+template <class By>
+AnyPose pose_of(std::string_view name, const std::vector<double>& numbers) {
+  const auto require = [&](bool is_right, std::string_view what, const std::string& wanted) {
+    if (is_right) return;
+    throw InvalidShape(std::string(name) + ": " + std::to_string(numbers.size()) + " numbers are no " +
+                       std::string(what) + "; give " + wanted + " and then the translation");
+  };
+  if constexpr (requires(const By& by) { by.links; }) {
+    using Link = typename decltype(By::links)::value_type;
+    constexpr std::size_t size = sizeof(Link) / sizeof(double);
+    require(numbers.size() % size == 0, "chain", std::to_string(size) + " for each link, the quaternion");
+    return By{poses_of<Link>(numbers)};
+  } else {
+    constexpr std::size_t size = sizeof(By) / sizeof(double);
+    constexpr bool is_matrix = requires(const By& by) { by.columns; };
+    require(numbers.size() == size, is_matrix ? "pose" : "rigid pose",
+            std::to_string(size) + (is_matrix ? ", the columns" : ", the quaternion"));
+    return poses_of<By>(numbers).front();
   }
-  By pose;
-  std::memcpy(&pose, numbers.data(), sizeof pose);
-  return pose;
+}
+template <class Matrix, class Rigid, class Chain>
+AnyPose pose_by(std::string_view word, std::string_view name, const std::vector<double>& numbers) {
+  if (word == word_of_pose<Matrix>()) return pose_of<Matrix>(name, numbers);
+  if (word == word_of_pose<Rigid>()) return pose_of<Rigid>(name, numbers);
+  return pose_of<Chain>(name, numbers);
 }
 
 struct Reader {
@@ -222,7 +265,7 @@ std::string to_string(const AnyFigure& figure) {
         std::visit(
             [&line]<class By>(const By& pose) {
               if constexpr (!std::is_same_v<By, std::monostate>) {
-                line += " pose";
+                line.append(" ").append(word_of_pose<By>());
                 append(line, row_of(pose));
               }
             },
@@ -237,12 +280,13 @@ std::optional<AnyFigure> parse_figure(std::string_view line) {
   if (word.empty()) return std::nullopt;
   const Reader& reader = reader_named(word);
   AnyFigure figure = reader.read(reader.name, next_numbers(line));
-  if (next_word(line).empty()) return figure;
+  const std::string_view how = next_word(line);
+  if (how.empty()) return figure;
   const std::vector<double> pose = next_numbers(line);
   if (const std::string_view more = next_word(line); !more.empty())
     throw Error(reader.name + ": nothing may follow the pose, but here comes " + quoted_word(more));
-  return figure.dimension() == 2 ? figure.under(pose_of<Pose2>(reader.name, pose))
-                                 : figure.under(pose_of<Pose>(reader.name, pose));
+  return figure.under(figure.dimension() == 2 ? pose_by<Pose2, RigidPose2, RigidChain2>(how, reader.name, pose)
+                                              : pose_by<Pose, RigidPose, RigidChain>(how, reader.name, pose));
 }
 
 }  // namespace plumb

@@ -86,7 +86,7 @@ WeightedPose<T> weighted_links(std::span<const Rigid> links) {
 }
 
 template <class T>
-WeightedPose<T> weighted_pose(const PoseView& pose) {
+WeightedPose<T> weighted_pose(const AnyPoseView& pose) {
   return std::visit(
       [&]<class By>(const By& by) -> WeightedPose<T> {
         if constexpr (std::is_same_v<By, std::monostate>) {
@@ -103,6 +103,8 @@ WeightedPose<T> weighted_pose(const PoseView& pose) {
 }
 
 /// Does it keep all lengths, whatever its numbers?
-inline bool is_rigid(const PoseView& pose) { return pose.by.index() != 1 && pose.by.index() != 2; }
+inline bool is_rigid(const AnyPoseView& pose) {
+  return !std::holds_alternative<const Pose*>(pose.by) && !std::holds_alternative<const Pose2*>(pose.by);
+}
 
 }  // namespace plumb::query

@@ -241,7 +241,7 @@ RigidPose rigid_pose_at(const Place& at) {
   return {{turn.item(0).real(), turn.item(1).real(), turn.item(2).real(), turn.item(3).real()},
           triplet<Vector3>(at["translation"])};
 }
-std::variant<Pose, RigidPose, RigidChain> pose_at(const Place& at) {
+AnyPose pose_at(const Place& at) {
   if (at.has("turn")) return rigid_pose_at(at);
   if (at.has("links")) {
     at.require_known({"links"});
@@ -361,7 +361,7 @@ BodyView view_of_recorded(const RecordedBody& body) {
         }
       },
       body.shape);
-  if (body.pose) view.pose = std::visit([](const auto& by) { return query::PoseView(&by); }, *body.pose);
+  view.pose = body.pose;
   return view;
 }
 

@@ -33,7 +33,7 @@ parting::CoreDistance core_distance(const Difference& d, DifferenceCorners guess
 
 Aim aim_of(const parting::SumParting& s) {
   const bool are_apart = s.known == parting::SumParting::Known::apart;
-  return {s.parting->way, {s.level[0].first, s.level[1].first}, are_apart, s.level, {}, !are_apart};
+  return {s.parting->way, {s.level[0].first, s.level[1].first}, are_apart, s.level, {}, !are_apart, s.is_widest};
 }
 
 }  // namespace
@@ -46,13 +46,14 @@ std::optional<Aim> cached_aim(const Difference& d, const ContactCache& cache) {
   return aim_of(*s);
 }
 
-Aim aim_at(const Difference& d, bool may_guess, ContactCache* cache) {
+Aim aim_at(const Difference& d, Guess guess, ContactCache* cache) {
   if (cache != nullptr) cache->has_edges = false;
   if (d.a.is_sum() && d.b.is_sum()) {
     using Known = parting::SumParting::Known;
-    const parting::SumParting s = parting::parted_sums(d);
+    const parting::Gap gap = guess == Guess::likely ? parting::Gap::likely : parting::Gap::widest;
+    const parting::SumParting s = parting::parted_sums(d, gap);
     if (s.known == Known::parting) return aim_of(s);
-    if (may_guess && s.parting) {
+    if (guess != Guess::none && s.parting) {
       if (cache != nullptr && s.edges) {
         const auto [p, q] = *s.edges;
         cache->edges = {{{p.body, p.bit}, {q.body, q.bit}}}, cache->has_edges = true;

@@ -21,15 +21,17 @@ struct Aim {
   bool are_apart;  // the cores
   std::optional<std::array<parting::SumLevel, 2>> level{};
   std::optional<std::array<parting::LevelCorners, 2>> all{};
-  bool is_proved = true;
+  bool is_proved = true, is_widest = true;  // no other plane has a wider gap
 };
+
+/// May the answer be a plane between sums of edges that are apart, and which one?
+enum class Guess : unsigned char { likely, widest, none };
 
 /// Of sums of edges that are apart: the plane between them that was found before, where it still is one.  It is proved
 /// where the points that are farthest have two that are straight ahead of one another; proved or not, the bodies are apart
 /// by no less.
 std::optional<Aim> cached_aim(const Difference& d, const ContactCache& cache);
 
-/// `may_guess`: the answer may be such a plane.
-Aim aim_at(const Difference& d, bool may_guess, ContactCache* cache);
+Aim aim_at(const Difference& d, Guess guess, ContactCache* cache);
 
 }  // namespace plumb::query::touching

@@ -33,6 +33,8 @@ class View {
     for (std::size_t i = 0; i < edges(); ++i) ways_.push_back({});
   }
   [[nodiscard]] std::size_t size() const { return f.corners.size(); }
+  /// Is it the side of a box, a parallelogram?
+  [[nodiscard]] bool is_side() const { return is_side_; }
   [[nodiscard]] const Vec<T>& at(std::size_t i) const {
     std::optional<Vec<T>>& place = places_.begin()[i];
     // Of running errors a sign is all that is asked; along the edges there are fewer of them to be computed.
@@ -50,7 +52,7 @@ class View {
   [[nodiscard]] Feature vertex(std::size_t i) const { return surface_feature(seen, FeatureKind::vertex, f.corners[i]); }
 
  private:
-  bool is_side_;                                                            // of a box
+  bool is_side_;
   mutable parting::ShortList<std::optional<Vec<T>>, 8> places_{}, ways_{};  // many a number type has no default
 };
 
@@ -61,19 +63,22 @@ class Sides {
   template <class T, class IsOn>
   Sides(const View<T>& of, const Vec<T>& out, const View<T>& other, const IsOn& is_on, CertainSigns& ask)
       : lines_(of.size() == 2 ? 3 : of.edges()), vertices_(other.size()), is_segment_(of.size() == 2) {
+    std::optional<Vec<T>> first, second;  // of a box's side the others lead the other way
     for (std::size_t l = 0; l < of.edges(); ++l) {
-      const Vec<T> inward = sparse_cross(out, of.edge(l));
+      std::optional<Vec<T>>& before = l % 2 == 0 ? first : second;
+      const Vec<T> inward = of.is_side() && l > 1 ? back(*before) : sparse_cross(out, of.edge(l));
+      if (l < 2) before = inward;
       const Index from = of.f.corners[l], to = of.f.corners[l + 1 == of.size() ? 0 : l + 1];
       for (std::size_t j = 0; j < vertices_; ++j) {
         const bool is_known = is_on(from, to, other.f.corners[j]);
-        sign_.push_back(is_known ? Sign::zero : ask(sparse_dot(inward, other.at(j) - of.at(l))));
+        sign_.push_back(is_known ? Sign::zero : ask(along_way(inward, of.at(l), other.at(j))));
       }
     }
     if (of.size() != 2) return;
     const Vec<T> along = sparse_cross(sparse_cross(out, of.edge(0)), out);
     for (std::size_t end = 0; end < 2; ++end) {
       for (std::size_t j = 0; j < vertices_; ++j) {
-        const Sign s = ask(sparse_dot(along, other.at(j) - of.at(end)));
+        const Sign s = ask(along_way(along, of.at(end), other.at(j)));
         sign_.push_back(end == 0 ? s : -s);
       }
     }
@@ -110,6 +115,19 @@ class Sides {
   }
 
  private:
+  template <class T>
+  static Vec<T> back(const Vec<T>& v) {
+    return Vec<T>{T(0.0), T(0.0), T(0.0)} - v;
+  }
+  /// n . (q - p), of which what is times zero is not computed.
+  template <class T>
+  static T along_way(const Vec<T>& n, const Vec<T>& p, const Vec<T>& q) {
+    const auto part = [](const T& a, const T& from, const T& to) {
+      return certainly_zero(a) ? T(0.0) : sparse_product(a, to - from);
+    };
+    return sparse_sum(sparse_sum(part(n.x, p.x, q.x), part(n.y, p.y, q.y)), part(n.z, p.z, q.z));
+  }
+
   std::size_t lines_, vertices_;
   bool is_segment_;
   parting::ShortList<Sign, 32> sign_;

@@ -208,7 +208,7 @@ std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, 
     tell_corners(pair, quick, match, m->corners);
     return true;
   };
-  for (bool may_guess = pair.is_as_before(); !answer(); may_guess = false) pair.aim(may_guess, cache);
+  while (!answer()) pair.aim_again(cache);
   if (m && options.at_most > 0 && m->corners.size() > options.at_most) m->corners = widest(m->corners, options.at_most);
   return m;
 }
@@ -216,7 +216,7 @@ std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, 
 std::optional<ExactContact> exact_contact_of(const BodyView& a, const BodyView& b, double margin) {
   require_margin("exact_contact", margin);
   Pair pair("exact_contact", a, b, margin, nullptr);
-  if (!pair.is_proved()) pair.aim(false, nullptr);
+  if (!pair.is_proved()) pair.aim(Guess::none, nullptr);
   const ExactNumbers3 numbers(pair);
   const Whole whole = numbers.whole();
   if (!whole.is_near) return {};

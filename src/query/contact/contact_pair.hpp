@@ -50,16 +50,20 @@ class Pair {
       : views_{a, b}, corners_(corners_of(function, a, b)), radii_(function, a, b), margin_(margin) {
     const auto before = cache != nullptr ? cached_aim(difference(), *cache) : std::nullopt;
     is_as_before_ = before.has_value();
-    before ? take(*before) : aim(true, cache);
+    before ? take(*before) : aim(Guess::likely, cache);
   }
   Pair(const Pair&) = delete;  // what is seen refers to it
   Pair& operator=(const Pair&) = delete;
   ~Pair() = default;
 
-  void aim(bool may_guess, ContactCache* cache) { take(aim_at(difference(), may_guess, cache)); }
+  void aim(Guess guess, ContactCache* cache) { take(aim_at(difference(), guess, cache)); }
   [[nodiscard]] bool is_proved() const { return aim_->is_proved; }
-  /// Did it begin with what the cache holds?
-  [[nodiscard]] bool is_as_before() const { return is_as_before_; }
+  /// Another one, where this one is none.
+  void aim_again(ContactCache* cache) {
+    const Guess guess = is_as_before_ ? Guess::likely : aim_->is_widest ? Guess::none : Guess::widest;
+    is_as_before_ = false;
+    aim(guess, cache);
+  }
 
   [[nodiscard]] Difference difference() const { return {corners_[0], corners_[1]}; }
   [[nodiscard]] const Radii& radii() const { return radii_; }
@@ -98,7 +102,7 @@ class Pair {
   double margin_;
   std::optional<Aim> aim_;
   std::optional<parting::KnownPlane> known_;
-  bool is_as_before_ = false;
+  bool is_as_before_ = false;  // it is what the cache holds
 };
 
 /// The features that face each other, and the corners of what they have in common.

@@ -56,7 +56,10 @@ int axis_along(const Vec<T>& v) {
 template <class T>
 class CornerPlaces {
  public:
-  CornerPlaces(const View<T>& a, const View<T>& b, const Vec<T>& normal) : a_(a), b_(b), normal_(normal) {}
+  CornerPlaces(const View<T>& a, const View<T>& b, const Vec<T>& normal) : a_(a), b_(b), normal_(normal) {
+    for (std::size_t i = 0; i < a.edges(); ++i) across_a_.push_back({});
+    for (std::size_t i = 0; i < b.edges(); ++i) across_b_.push_back({});
+  }
 
   [[nodiscard]] CornerFractions<T> of(const Found& f) const {
     const T none(0.0);
@@ -77,11 +80,12 @@ class CornerPlaces {
       return {{p, normal_, none}, {p, normal_, height, plane.axis, &b_.at(0)}, plane.along, height};
     }
     const Vec<T>&p = a_.at(f.i), &q = b_.at(f.j), &e = a_.edge(f.i), &g = b_.edge(f.j);
-    const Vec<T> way = q - p, m = sparse_cross(e, g);
-    return {{p, e, sparse_dot(sparse_cross(g, normal_), way)},
-            {q, g, sparse_dot(sparse_cross(e, normal_), way)},
-            sparse_dot(m, normal_),
-            sparse_dot(m, way)};
+    const Vec<T>&across_e = across(e, across_a_.begin()[f.i]), &across_g = across(g, across_b_.begin()[f.j]);
+    const Vec<T> way = q - p;
+    return {{p, e, sparse_dot(across_g, way)},
+            {q, g, sparse_dot(across_e, way)},
+            sparse_dot(e, across_g),
+            sparse_dot(sparse_cross(e, g), way)};
   }
 
  private:
@@ -92,15 +96,24 @@ class CornerPlaces {
   };
   const Plane& plane_of(const View<T>& v, std::optional<Plane>& plane) const {
     if (!plane) {
-      const Vec<T> n = plane_normal(v, normal_);
-      plane = Plane{n, sparse_dot(n, normal_), axis_along(n)};
+      Vec<T> n = plane_normal(v, normal_);
+      const int axis = axis_along(n);
+      if (axis >= 0 && axis == axis_along(normal_)) n = normal_;  // which is shorter
+      plane = Plane{n, sparse_dot(n, normal_), axis};
     }
     return *plane;
   }
 
+  const Vec<T>& across(const Vec<T>& edge, std::optional<Vec<T>>& to) const {
+    if (!to) to = sparse_cross(edge, normal_);
+    return *to;
+  }
+
   const View<T>&a_, &b_;
   Vec<T> normal_;
-  mutable std::optional<Plane> plane_a_, plane_b_;  // when first asked for
+  // When first asked for.
+  mutable std::optional<Plane> plane_a_, plane_b_;
+  mutable parting::ShortList<std::optional<Vec<T>>, 8> across_a_{}, across_b_{};  // edges and the normal
 };
 
 }  // namespace plumb::query::touching

@@ -19,7 +19,8 @@
 
 namespace plumb::query::touching {
 
-using arith::Vec, arith::sparse_cross, arith::sparse_dot, arith::sparse_scaled;
+using arith::Vec, arith::sparse_cross, arith::sparse_difference, arith::sparse_dot, arith::sparse_product,
+    arith::sparse_scaled, arith::sparse_sum;
 using Index = std::uint32_t;
 using Corners = parting::ShortList<Index, 8>;
 

@@ -26,6 +26,10 @@ std::optional<Sign> sign_where_certain(const Ball& x) {
   return s.value();
 }
 
+bool is_one(const Ball& x) { return x.high == 1 && x.low == 0 && x.radius == 0; }
+Ball times(const Ball& x, const Ball& by) { return is_one(by) ? x : x * by; }
+Ball over(const Ball& x, const Ball& by) { return is_one(by) ? x : quotient(x, by); }
+
 template <class V>
 auto& part(V& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -46,8 +50,9 @@ bool is_rough(const Ball& x) { return !(x.radius <= Ball::size(x.high) * 0x1p-70
 QuickNumbers::QuickNumbers(const Pair& p)
     : pair_(p),
       normal_(p.normal<Ball>()),
-      length_(root(sparse_dot(normal_, normal_))),
-      share_(quotient(Ball(1), length_)),
+      square_(sparse_dot(normal_, normal_)),
+      length_(is_one(square_) ? square_ : root(square_)),
+      share_(over(Ball(1), length_)),
       radii_(Ball(p.radii().given(0)) + Ball(p.radii().given(1))),
       limit_(radii_ + Ball(p.margin())) {}
 
@@ -57,7 +62,7 @@ std::optional<Whole> QuickNumbers::whole() const {
   if (is_rough(height) && !pair_.difference().a.has_scale()) {  // times the weights of poses it is another number
     height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); }).value_or(height);
   }
-  const Ball along = height * share_;
+  const Ball along = times(height, share_);
   const auto beyond = beyond_limit(height, Ball(1), along);
   if (!beyond) return {};
   if (*beyond) return Whole{false, Relation::disjoint, {}, 0};
@@ -74,24 +79,28 @@ std::optional<Whole> QuickNumbers::whole() const {
 }
 
 std::optional<Corner> QuickNumbers::corner(const CornerPlaces<Ball>& places, const Found& f,
-                                           const std::optional<Ball>& height) const {
-  CornerFractions<Ball> n = places.of(f);
-  n.height = height.value_or(n.height);
-  const Ball along = quotient(n.height, n.whole) * length_;
-  const auto beyond = beyond_limit(n.height, n.whole, along);
+                                           const std::optional<Gap>& gap) const {
+  const CornerFractions<Ball> n = places.of(f);
+  const auto [height, whole] = gap.value_or(Gap{n.height, n.whole});
+  const Ball share = over(Ball(1), n.whole);
+  const Ball along = times(gap ? over(height, whole) : times(height, share), length_);
+  const auto beyond = beyond_limit(height, whole, along);
   if (!beyond) return {};
   if (*beyond) return Corner{false, {}};
   Told told;
   const auto at = [&](const PlaceOn<Ball>& p, double radius) {
     Vec<Ball> x = p.base;
-    if (!certainly_zero(p.numerator)) x = x + sparse_scaled(p.along, quotient(p.numerator, n.whole));
-    if (p.level_axis >= 0) part(x, p.level_axis) = part(*p.level, p.level_axis);
-    if (radius != 0) x = x + sparse_scaled(normal_, share_ * Ball(radius));
+    const bool is_level = p.level_axis >= 0, is_upright = is_level && p.level_axis == axis_along(p.along);
+    if (!is_upright && !certainly_zero(p.numerator)) {
+      x = sparse_sum(x, sparse_scaled(p.along, times(p.numerator, share)));
+    }
+    if (is_level) part(x, p.level_axis) = part(*p.level, p.level_axis);
+    if (radius != 0) x = sparse_sum(x, sparse_scaled(normal_, share_ * Ball(radius)));
     return Point3{told(x.x), told(x.y), told(x.z)};
   };
   const Corner c{true,
                  {at(n.on_a, pair_.radii().given(0)), at(n.on_b, -pair_.radii().given(1)),
-                  pair_.radii().are_none() && certainly_zero(n.height) ? 0 : told(along - radii_), f.id}};
+                  pair_.radii().are_none() && certainly_zero(height) ? 0 : told(along - radii_), f.id}};
   if (!told.all()) return {};
   return c;
 }
@@ -114,8 +123,9 @@ void QuickNumbers::tell_by_integers(const Matched& m, const CornerPlaces<Ball>& 
   for (std::size_t i = 0; i < m.corners.size(); ++i) {
     if (corners[i]) continue;
     const auto height = by_integers([&] { return in_integers.of(m.corners[i]).height; });
-    if (!height) return;
-    corners.begin()[i] = corner(places, m.corners[i], height);
+    const auto whole = by_integers([&] { return in_integers.of(m.corners[i]).whole; });
+    if (!height || !whole) return;
+    corners.begin()[i] = corner(places, m.corners[i], Gap{*height, *whole});
   }
 }
 

@@ -36,16 +36,20 @@ class QuickNumbers {
   [[nodiscard]] QuickCorners corners(const Matched& m) const;
 
  private:
-  /// `height`: in the place of the one that pairs of doubles tell.
+  /// How far a corner's points are apart: height / whole normals.
+  struct Gap {
+    Ball height, whole;
+  };
+  /// `gap`: in the place of what pairs of doubles tell.
   [[nodiscard]] std::optional<Corner> corner(const CornerPlaces<Ball>& places, const Found& f,
-                                             const std::optional<Ball>& height = {}) const;
+                                             const std::optional<Gap>& gap = {}) const;
   void tell_by_integers(const Matched& m, const CornerPlaces<Ball>& places, QuickCorners& corners) const;
   /// Of height / whole normals; `along` is that with their length.
   [[nodiscard]] std::optional<bool> beyond_limit(const Ball& height, const Ball& whole, const Ball& along) const;
 
   const Pair& pair_;
   Vec<Ball> normal_;
-  Ball length_, share_, radii_, limit_;
+  Ball square_, length_, share_, radii_, limit_;
 };
 
 }  // namespace plumb::query::touching

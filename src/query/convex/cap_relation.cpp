@@ -1,6 +1,7 @@
 #include "query/convex/cap_relation.hpp"
 
 #include "arith/root_sign.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/posed_set.hpp"
 
@@ -46,7 +47,7 @@ Relation relate_solid(const FlatSet& set, const ExactCap& exact, const Spherical
   if (side == Relation::disjoint) return side;
   std::vector<ExactHalfspace> sides = halfspaces_of(set);
   sides.push_back({exact.normal, exact.offset});
-  const Relation near = relate_swept(core_set(cap.sphere), cap.sphere.radius, flat_set(sides));
+  const Relation near = relate_swept(core_of(cap.sphere), cap.sphere.radius, flat_set(sides));
   return near == Relation::overlapping ? side : near;
 }
 

@@ -8,6 +8,7 @@
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/query/body/detail/with_figure.hpp"
+#include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/convex_view.hpp"
 #include "query/convex/round_parts.hpp"
@@ -92,47 +93,27 @@ bool round_holds(const FigureView& outer, const RoundParts& inner) {
          std::ranges::all_of(inner.parts, [&](const RoundPart& part) { return holds_near_core(*round, part); });
 }
 
-/// Calls f(p) for the corners, where they are points as given and the hull of them is that of the figure.
-template <class Shape, class F>
-bool all_corners(const Shape& s, const F& f) {
-  if constexpr (requires { s.outer; }) {
-    return all_corners(s.outer, f) &&
-           std::ranges::all_of(s.holes, [&](const auto& hole) { return std::ranges::all_of(hole.vertices, f); });
-  } else if constexpr (requires { s.mesh; }) {
-    return std::ranges::all_of(s.mesh.vertices, f);
-  } else if constexpr (requires { s.vertices; }) {
-    return std::ranges::all_of(s.vertices, f);
-  } else if constexpr (requires { s.min.x, s.max.x; }) {
-    if (is_empty(s)) return true;
-    auto p = s.min;
-    for (unsigned k = 0; k < 8; ++k) {
-      p.x = (k & 1) != 0 ? s.max.x : s.min.x;
-      p.y = (k & 2) != 0 ? s.max.y : s.min.y;
-      if constexpr (requires { p.z; }) p.z = (k & 4) != 0 ? s.max.z : s.min.z;
-      if (!f(p)) return false;
-    }
-    return true;
-  } else if constexpr (requires { s.d; }) {
-    return f(s.a) && f(s.b) && f(s.c) && f(s.d);
-  } else if constexpr (requires { s.c; }) {
-    return f(s.a) && f(s.b) && f(s.c);
-  } else {
-    return f(s.a) && f(s.b);
-  }
-}
 constexpr bool has_corners_as_given(FigureKind kind) {
   return is_one_of(
       kind, {FigureKind::segment, FigureKind::triangle, FigureKind::quadrilateral, FigureKind::polygon,
              FigureKind::holed_polygon, FigureKind::tetrahedron, FigureKind::aabb, FigureKind::convex_polyhedron});
 }
 
-template <class Shape, class Point>
+/// Of an inner figure whose corners are points as given, and the hull of them its own.
+template <class Shape>
 bool holds_corners(const Shape& s, const FigureView& inner) {
-  const auto held = [&](const Point& p) { return contains(s, p); };
-  return with_figure(inner, [&](const auto& of) {
-    using Inner = std::remove_cvref_t<decltype(of)>;
+  return with_figure(inner, [&]<class Inner>(const Inner& of) {
     if constexpr (has_corners_as_given(figure_kind<Inner>) && figure_dimension<Inner> == figure_dimension<Shape>) {
-      return all_corners(of, held);
+      bool all = true;
+      if (is_nothing(of)) return all;
+      for_each_corner<double>(of, [&](const arith::Vec<double>& p) {
+        if constexpr (figure_dimension<Inner> == 2) {
+          all = all && contains(s, Point2{p.x, p.y});
+        } else {
+          all = all && contains(s, Point3{p.x, p.y, p.z});
+        }
+      });
+      return all;
     } else {
       return false;
     }
@@ -159,11 +140,9 @@ bool holds(const FigureView& outer, const FigureView& inner) {
   require_figures("contains", outer, inner);
   require_convex_outer(outer);
   if (has_corners_as_given(inner.kind) && outer.kind != FigureKind::rectangle) {
-    return with_figure(outer, [&](const auto& s) {
-      using Shape = std::remove_cvref_t<decltype(s)>;
-      using Point = std::conditional_t<figure_dimension<Shape> == 2, Point2, Point3>;
+    return with_figure(outer, [&]<class Shape>(const Shape& s) {
       if constexpr (may_be_outer(figure_kind<Shape>)) {
-        return holds_corners<Shape, Point>(s, inner);
+        return holds_corners(s, inner);
       } else {
         return false;
       }

@@ -20,13 +20,6 @@ std::optional<ConvexSet<N>> set_of_view(const FigureView& v) {
   });
 }
 
-template <class Vector>
-ExactHalfspace exact_halfspace(const Vector& normal, double offset, int sign) {
-  ExactHalfspace h{{sign * mpq_class(normal.x), sign * mpq_class(normal.y), 0}, sign * mpq_class(offset)};
-  if constexpr (requires { normal.z; }) h.normal[2] = sign * mpq_class(normal.z);
-  return h;
-}
-
 template <std::size_t N>
 std::vector<ExactHalfspace> halfspaces_of_set(const ConvexSet<N>& set) {
   if (set.dimension < 0) return {{{0, 0, 0}, -1}};
@@ -56,20 +49,14 @@ std::vector<ExactHalfspace> halfspaces_of(const ConvexSet<3>& set) { return half
 std::vector<ExactHalfspace> halfspaces_of(const FigureView& v) {
   if (const auto set = convex_set3(v)) return halfspaces_of_set(*set);
   if (const auto set = convex_set2(v)) return halfspaces_of_set(*set);
-  std::vector<ExactHalfspace> all;
-  with_figure(v, [&](const auto& s) {
-    if constexpr (requires { s.halfspaces; }) {
-      for (const auto& h : s.halfspaces) all.push_back(exact_halfspace(h.normal, h.offset, 1));
-    } else if constexpr (requires { s.directions; }) {
-      for (std::size_t i = 0; i < s.min.size(); ++i) {
-        all.push_back(exact_halfspace(s.directions.all()[i], s.max[i], 1));
-        all.push_back(exact_halfspace(s.directions.all()[i], s.min[i], -1));
-      }
-    } else if constexpr (requires { s.normal; }) {
-      all.push_back(exact_halfspace(s.normal, s.offset, 1));
+  return with_figure(v, []<class Shape>(const Shape& s) -> std::vector<ExactHalfspace> {
+    if constexpr (is_one_of(figure_kind<Shape>,
+                            {FigureKind::halfspace, FigureKind::k_dop, FigureKind::halfspace_intersection})) {
+      return numbered_sides(s);
+    } else {
+      return {};
     }
   });
-  return all;
 }
 
 }  // namespace plumb::query::meeting

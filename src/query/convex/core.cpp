@@ -1,10 +1,9 @@
 #include "query/convex/core.hpp"
 
-#include "figure/basic/in_space.hpp"
-#include "query/convex/exact_gap.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
+#include "query/body/boundary.hpp"
 
 namespace plumb::query {
-
 double radius_of(const FigureView& figure) {
   return with_figure(figure, [](const auto& s) -> double {
     if constexpr (requires { s.radius; }) {
@@ -16,11 +15,11 @@ double radius_of(const FigureView& figure) {
 }
 
 FlatSet core_of(const FigureView& figure) {
-  return with_figure(figure, [&](const auto& s) -> FlatSet {
-    if constexpr (requires { core_set(in_space(s)); }) {
-      return core_set(in_space(s));
-    } else if constexpr (requires { core_set(s); }) {
-      return core_set(s);
+  return with_figure(figure, [&]<class Shape>(const Shape& s) -> FlatSet {
+    if constexpr (has_boundary<Shape> && !FlatFigure<Shape>) {
+      FlatSet core;
+      for_each_corner<mpq_class>(s, [&](const arith::Vec<mpq_class>& p) { core.points.push_back({p.x, p.y, p.z}); });
+      return core;
     } else {
       return flat_set(figure);
     }

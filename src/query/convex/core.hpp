@@ -7,11 +7,14 @@
 #pragma once
 
 #include "query/convex/flat_set.hpp"
-#include "query/convex/flat_view.hpp"
 
 namespace plumb::query {
 
 double radius_of(const FigureView& figure);
 FlatSet core_of(const FigureView& figure);
+template <Figure Shape>
+FlatSet core_of(const Shape& s) {
+  return core_of(view_of(s));
+}
 
 }  // namespace plumb::query

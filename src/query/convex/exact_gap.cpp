@@ -33,12 +33,4 @@ Relation relate_swept(const FlatSet& core, double radius, const FlatSet& other_c
   return relation_within(core, other_core, mpq_class(radius) + mpq_class(other_radius));
 }
 
-FlatSet core_set(const Sphere3& sphere) { return flat_set(sphere.center); }
-FlatSet core_set(const Capsule3& capsule) { return flat_set(Segment3{capsule.a, capsule.b}); }
-FlatSet core_set(const Lozenge3& lozenge) {
-  const auto exact = [](const auto& p) { return Exact3{p.x, p.y, p.z}; };
-  const Exact3 corner = exact(lozenge.corner), e = exact(lozenge.edges[0]), f = exact(lozenge.edges[1]);
-  return {{corner, corner + e, corner + f, corner + e + f}, {}, {}, {}};
-}
-
 }  // namespace plumb::query

@@ -9,7 +9,6 @@
 
 #include <optional>
 
-#include "plumb/figure/basic/round.hpp"
 #include "query/convex/flat_set.hpp"
 
 namespace plumb::query {
@@ -20,10 +19,5 @@ std::optional<mpq_class> squared_distance(const FlatSet& a, const FlatSet& b);
 /// Of all that is near to the core by one radius or by two.
 Relation relate_swept(const FlatSet& core, double radius, const FlatSet& other);
 Relation relate_swept(const FlatSet& core, double radius, const FlatSet& other_core, double other_radius);
-
-/// What a round shape is all points near to.
-FlatSet core_set(const Sphere3& sphere);
-FlatSet core_set(const Capsule3& capsule);
-FlatSet core_set(const Lozenge3& lozenge);
 
 }  // namespace plumb::query

@@ -78,7 +78,7 @@ class Elimination {
 
 }  // namespace
 
-ExactMap exact_map(const PoseView& pose) {
+ExactMap exact_map(const AnyPoseView& pose) {
   const auto by = weighted_pose<BigDyadic>(pose);
   const mpq_class weight = gmp_number(by.weight);
   const auto over_weight = [&](const Vec3<BigDyadic>& v) {
@@ -90,7 +90,7 @@ ExactMap exact_map(const PoseView& pose) {
   return {{over_weight(by.columns[0]), over_weight(by.columns[1]), over_weight(by.columns[2])},
           over_weight(by.translation)};
 }
-ExactMap exact_identity() { return exact_map(PoseView()); }
+ExactMap exact_identity() { return exact_map(AnyPoseView()); }
 
 Exact3 turned(const ExactMap& map, const Exact3& v) {
   return v[0] * map.columns[0] + v[1] * map.columns[1] + v[2] * map.columns[2];

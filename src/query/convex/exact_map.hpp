@@ -23,7 +23,7 @@ struct ExactMap {
   friend bool operator==(const ExactMap&, const ExactMap&) = default;
 };
 /// Of the plane z = 0, and as it is along z.  A quaternion is not zero.
-ExactMap exact_map(const PoseView& pose);
+ExactMap exact_map(const AnyPoseView& pose);
 ExactMap exact_identity();
 
 /// The matrix alone.

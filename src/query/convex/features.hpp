@@ -25,28 +25,6 @@ Feature feature_at(const FigureView& figure, const Exact3& point, bool is_inside
 /// Is p in the hull of those corners?
 bool hull_holds(std::span<const Exact3> corners, std::span<const std::uint32_t> of, const Exact3& p);
 
-inline Exact3 exact_way(const Vector2& v) { return {v.x, v.y, 0}; }
-inline Exact3 exact_way(const Vector3& v) { return {v.x, v.y, v.z}; }
-
-/// Of halfspaces, k-DOPs and intersections of halfspaces: what they are the common part of, in the order of the sides'
-/// numbers.  A normal may be zero; of figures of the plane the plane itself is none of them.
-template <class Shape>
-std::vector<ExactHalfspace> numbered_sides(const Shape& s) {
-  std::vector<ExactHalfspace> sides;
-  if constexpr (figure_kind<Shape> == FigureKind::halfspace) {
-    sides.push_back({exact_way(s.normal), s.offset});
-  } else if constexpr (figure_kind<Shape> == FigureKind::k_dop) {
-    for (std::size_t i = 0; i < s.min.size(); ++i) {
-      const Exact3 up = exact_way(s.directions.all()[i]);
-      sides.push_back({mpq_class(-1) * up, -mpq_class(s.min[i])});
-      sides.push_back({up, s.max[i]});
-    }
-  } else {
-    for (const auto& h : s.halfspaces) sides.push_back({exact_way(h.normal), h.offset});
-  }
-  return sides;
-}
-
 /// A feature of the core as one of the figure, on its surface where it is round.
 Feature on_surface(const FigureView& figure, const Feature& core);
 

@@ -1,16 +1,11 @@
 #include "query/convex/flat_set.hpp"
 
-#include <algorithm>
-
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/body/axis_body.hpp"
+#include "query/body/figure_input.hpp"
 
 namespace plumb::query {
 namespace {
-
-Exact3 exact(double x, double y, double z) { return {mpq_class(x), mpq_class(y), mpq_class(z)}; }
-Exact3 exact(const Point3& p) { return exact(p.x, p.y, p.z); }
-Exact3 exact(const Vector2& v) { return exact(v.x, v.y, 0); }
-Exact3 exact(const Vector3& v) { return exact(v.x, v.y, v.z); }
 
 const Exact3 along_z{0, 0, 1};
 
@@ -45,20 +40,19 @@ std::array<Exact3, 2> across(const Exact3& v) {
   return {u, cross(v, u)};
 }
 
-/// Between normal . x = least and most; without `least` a halfspace, where both are equal a plane.
-FlatSet between(const Exact3& normal, const mpq_class* least, const mpq_class& most, bool in_plane) {
-  if (least != nullptr && *least > most) return {};
-  const FlatSet everywhere = in_plane ? FlatSet{{exact(0, 0, 0)}, {}, {exact(1, 0, 0), exact(0, 1, 0)}}
-                                      : FlatSet{{exact(0, 0, 0)}, {}, {exact(1, 0, 0), exact(0, 1, 0), exact(0, 0, 1)}};
-  if (is_zero(normal)) return sgn(most) >= 0 && (least == nullptr || sgn(*least) <= 0) ? everywhere : FlatSet{};
-  FlatSet s;
-  const mpq_class square = dot(normal, normal);
-  s.points.push_back(mpq_class(most / square) * normal);
-  if (least == nullptr) {
-    s.directions.push_back(mpq_class(-1) * normal);
-  } else if (*least != most) {
-    s.points.push_back(mpq_class(*least / square) * normal);
+const Exact3 along_x{1, 0, 0}, along_y{0, 1, 0};
+
+/// All on one side of a plane, or on it.
+FlatSet side_of_plane(const Exact3& normal, const mpq_class& offset, bool on_it, bool in_plane) {
+  FlatSet s{{{0, 0, 0}}, {}, {}};
+  if (is_zero(normal)) {
+    if (on_it ? sgn(offset) != 0 : sgn(offset) < 0) return {};
+    s.lines = {along_x, along_y};
+    if (!in_plane) s.lines.push_back(along_z);
+    return s;
   }
+  s.points[0] = mpq_class(offset / dot(normal, normal)) * normal;
+  if (!on_it) s.directions.push_back(mpq_class(-1) * normal);
   if (in_plane) {
     s.lines.push_back(cross(normal, along_z));
   } else {
@@ -67,42 +61,24 @@ FlatSet between(const Exact3& normal, const mpq_class* least, const mpq_class& m
   return s;
 }
 
-FlatSet corners_of(const Exact3& min, const Exact3& max) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (min[k] > max[k]) return {};
-  }
+/// The corners that a face has, and the edges.
+FlatSet set_of_polyhedron(const ConvexPolyhedron3& polyhedron) {
+  const auto& [vertices, corners, first] = polyhedron.mesh;
+  constexpr auto unused = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> index(vertices.size(), unused);
   FlatSet s;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    Exact3 p = min;
-    bool again = false;  // a corner that has been named, of a flat box
-    for (std::size_t k = 0; k < 3; ++k) {
-      if ((corner >> k & 1) == 0) continue;
-      again = again || min[k] == max[k];
-      p[k] = max[k];
+  for (const std::uint32_t v : corners) {
+    if (index[v] != unused) continue;
+    index[v] = static_cast<std::uint32_t>(s.points.size());
+    s.points.push_back({vertices[v].x, vertices[v].y, vertices[v].z});
+  }
+  for (std::size_t f = 0; f + 1 < first.size(); ++f) {
+    for (std::uint32_t k = first[f]; k < first[f + 1]; ++k) {
+      const std::uint32_t from = corners[k], to = corners[k + 1 < first[f + 1] ? k + 1 : first[f]];
+      if (from < to) s.edges.push_back({index[from], index[to]});  // the face beyond has it the other way round
     }
-    if (!again) s.points.push_back(p);
   }
   return s;
-}
-
-template <class Vector>
-void add(std::vector<ExactHalfspace>& all, const Vector& normal, double offset) {
-  all.push_back({exact(normal), mpq_class(offset)});
-}
-void add_plane_of_2d(std::vector<ExactHalfspace>& all) {
-  all.push_back({along_z, 0});
-  all.push_back({exact(0, 0, -1), 0});
-}
-
-template <class Vector>
-std::vector<ExactHalfspace> halfspaces(const KDop<Vector>& k_dop) {
-  std::vector<ExactHalfspace> all;
-  for (std::size_t i = 0; i < k_dop.directions.size(); ++i) {
-    const Exact3 d = exact(k_dop.directions.all()[i]);
-    all.push_back({d, mpq_class(k_dop.max[i])});
-    all.push_back({mpq_class(-1) * d, mpq_class(-k_dop.min[i])});
-  }
-  return all;
 }
 
 }  // namespace
@@ -130,83 +106,24 @@ Exact3 primitive(const Exact3& v) {
   return mpq_class(multiple, divisor) * v;
 }
 
-FlatSet flat_set(const Point2& s) { return set_of_body(s); }
-FlatSet flat_set(const Point3& s) { return set_of_body(s); }
-FlatSet flat_set(const Line2& s) { return set_of_body(s); }
-FlatSet flat_set(const Line3& s) { return set_of_body(s); }
-FlatSet flat_set(const Ray2& s) { return set_of_body(s); }
-FlatSet flat_set(const Ray3& s) { return set_of_body(s); }
-FlatSet flat_set(const Segment2& s) { return set_of_body(s); }
-FlatSet flat_set(const Segment3& s) { return set_of_body(s); }
-FlatSet flat_set(const Triangle2& s) { return set_of_body(s); }
-FlatSet flat_set(const Triangle3& s) { return set_of_body(s); }
-FlatSet flat_set(const Tetrahedron3& s) { return set_of_body(s); }
-FlatSet flat_set(const ThreePointPlane3& s) { return set_of_body(s); }
-FlatSet flat_set(const Obb2& s) { return set_of_body(s); }
-FlatSet flat_set(const Obb3& s) { return set_of_body(s); }
-FlatSet flat_set(const Rectangle3& s) { return set_of_body(s); }
-FlatSet flat_set(const Aabb2& box) { return is_empty(box) ? FlatSet{} : set_of_body(box); }
-FlatSet flat_set(const Aabb3& box) { return is_empty(box) ? FlatSet{} : set_of_body(box); }
-
-FlatSet flat_set(const Plane3& plane) {
-  const mpq_class offset(plane.offset);
-  return between(exact(plane.normal), &offset, offset, false);
-}
-FlatSet flat_set(const Halfspace2& h) { return between(exact(h.normal), nullptr, mpq_class(h.offset), true); }
-FlatSet flat_set(const Halfspace3& h) { return between(exact(h.normal), nullptr, mpq_class(h.offset), false); }
-FlatSet flat_set(const Slab2& s) {
-  const mpq_class min(s.min);
-  return between(exact(s.normal), &min, mpq_class(s.max), true);
-}
-FlatSet flat_set(const Slab3& s) {
-  const mpq_class min(s.min);
-  return between(exact(s.normal), &min, mpq_class(s.max), false);
-}
-FlatSet flat_set(const HalfspaceIntersection2& intersection) {
-  std::vector<ExactHalfspace> all;
-  add_plane_of_2d(all);
-  for (const Halfspace2& h : intersection.halfspaces) add(all, h.normal, h.offset);
-  return flat_set(all);
-}
-FlatSet flat_set(const HalfspaceIntersection3& intersection) {
-  std::vector<ExactHalfspace> all;
-  for (const Halfspace3& h : intersection.halfspaces) add(all, h.normal, h.offset);
-  return flat_set(all);
-}
-
-FlatSet flat_set(const AabbWidths3& box) {
-  const Exact3 min = exact(box.min);
-  const Exact3 widths{abs(mpq_class(box.widths.x)), abs(mpq_class(box.widths.y)), abs(mpq_class(box.widths.z))};
-  return corners_of(min, min + widths);
-}
-FlatSet flat_set(const AabbCenter3& box) {
-  const Exact3 half{abs(mpq_class(box.half.x)), abs(mpq_class(box.half.y)), abs(mpq_class(box.half.z))};
-  return corners_of(exact(box.center) - half, exact(box.center) + half);
-}
-FlatSet flat_set(const KDop2& k_dop) {
-  auto all = halfspaces(k_dop);
-  add_plane_of_2d(all);
-  return flat_set(all);
-}
-FlatSet flat_set(const KDop3& k_dop) { return flat_set(halfspaces(k_dop)); }
-
-FlatSet flat_set(const ConvexPolyhedron3& polyhedron) {
-  const auto& [vertices, corners, first] = polyhedron.mesh;
-  constexpr auto unused = static_cast<std::uint32_t>(-1);
-  std::vector<std::uint32_t> index(vertices.size(), unused);
-  FlatSet s;
-  for (const std::uint32_t v : corners) {
-    if (index[v] != unused) continue;
-    index[v] = static_cast<std::uint32_t>(s.points.size());
-    s.points.push_back(exact(vertices[v]));
-  }
-  for (std::size_t f = 0; f + 1 < first.size(); ++f) {
-    for (std::uint32_t k = first[f]; k < first[f + 1]; ++k) {
-      const std::uint32_t from = corners[k], to = corners[k + 1 < first[f + 1] ? k + 1 : first[f]];
-      if (from < to) s.edges.push_back({index[from], index[to]});  // the face beyond has it the other way round
+FlatSet flat_set(const FigureView& figure) {
+  return with_figure(figure, []<class Shape>(const Shape& s) -> FlatSet {
+    constexpr FigureKind kind = figure_kind<Shape>;
+    constexpr bool in_plane = figure_dimension<Shape> == 2;
+    if constexpr (kind == FigureKind::convex_polyhedron) {
+      return set_of_polyhedron(s);
+    } else if constexpr (kind == FigureKind::plane || kind == FigureKind::halfspace) {
+      return side_of_plane(exact_way(s.normal), s.offset, kind == FigureKind::plane, in_plane);
+    } else if constexpr (kind == FigureKind::k_dop || kind == FigureKind::halfspace_intersection) {
+      std::vector<ExactHalfspace> sides = numbered_sides(s);
+      if (in_plane) sides.insert(sides.end(), {{along_z, 0}, {mpq_class(-1) * along_z, 0}});
+      return flat_set(sides);
+    } else if constexpr (axes::has_body<Shape>) {
+      return is_nothing(s) ? FlatSet{} : set_of_body(s);
+    } else {
+      return {};
     }
-  }
-  return s;
+  });
 }
 
 }  // namespace plumb::query

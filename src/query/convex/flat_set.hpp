@@ -18,13 +18,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "plumb/figure/basic/box.hpp"
-#include "plumb/figure/basic/convex_polyhedron.hpp"
-#include "plumb/figure/basic/linear.hpp"
-#include "plumb/figure/basic/plane.hpp"
 #include "plumb/figure/basic/relation.hpp"
-#include "plumb/figure/basic/simplex.hpp"
-#include "plumb/figure/k_dop/k_dop.hpp"
+#include "plumb/query/body/pairs.hpp"
 
 namespace plumb::query {
 
@@ -35,41 +30,46 @@ struct FlatSet {
   std::vector<std::array<std::uint32_t, 2>> edges = {};  // pairs of points that a plane can part; none given: all pairs
 };
 
-FlatSet flat_set(const Point2& p);
-FlatSet flat_set(const Point3& p);
-FlatSet flat_set(const Line2& line);
-FlatSet flat_set(const Line3& line);
-FlatSet flat_set(const Ray2& ray);
-FlatSet flat_set(const Ray3& ray);
-FlatSet flat_set(const Segment2& segment);
-FlatSet flat_set(const Segment3& segment);
-FlatSet flat_set(const Plane3& plane);
-FlatSet flat_set(const ThreePointPlane3& plane);
-FlatSet flat_set(const Halfspace2& halfspace);
-FlatSet flat_set(const Halfspace3& halfspace);
-FlatSet flat_set(const Slab2& slab);
-FlatSet flat_set(const Slab3& slab);
-FlatSet flat_set(const HalfspaceIntersection2& intersection);
-FlatSet flat_set(const HalfspaceIntersection3& intersection);
-FlatSet flat_set(const Triangle2& triangle);
-FlatSet flat_set(const Triangle3& triangle);
-FlatSet flat_set(const Tetrahedron3& tetrahedron);
-FlatSet flat_set(const Aabb2& box);
-FlatSet flat_set(const Aabb3& box);
-FlatSet flat_set(const AabbWidths3& box);
-FlatSet flat_set(const AabbCenter3& box);
-FlatSet flat_set(const Obb2& box);
-FlatSet flat_set(const Obb3& box);
-FlatSet flat_set(const Rectangle3& rectangle);
-FlatSet flat_set(const KDop2& k_dop);
-FlatSet flat_set(const KDop3& k_dop);
-FlatSet flat_set(const ConvexPolyhedron3& polyhedron);
+mpq_class dot(const Exact3& u, const Exact3& v);
+Exact3 cross(const Exact3& u, const Exact3& v);
+Exact3 operator+(const Exact3& u, const Exact3& v);
+Exact3 operator-(const Exact3& u, const Exact3& v);
+Exact3 operator*(const mpq_class& t, const Exact3& v);
+bool is_zero(const Exact3& v);
 
 /// normal . x <= offset.
 struct ExactHalfspace {
   Exact3 normal;
   mpq_class offset;
 };
+inline Exact3 exact_way(const Vector2& v) { return {v.x, v.y, 0}; }
+inline Exact3 exact_way(const Vector3& v) { return {v.x, v.y, v.z}; }
+
+/// Of halfspaces, k-DOPs and intersections of halfspaces: what they are the common part of, in the order of the sides'
+/// numbers.  A normal may be zero; of figures of the plane the plane itself is none of them.
+template <class Shape>
+std::vector<ExactHalfspace> numbered_sides(const Shape& s) {
+  std::vector<ExactHalfspace> sides;
+  if constexpr (figure_kind<Shape> == FigureKind::halfspace) {
+    sides.push_back({exact_way(s.normal), s.offset});
+  } else if constexpr (figure_kind<Shape> == FigureKind::k_dop) {
+    for (std::size_t i = 0; i < s.min.size(); ++i) {
+      const Exact3 up = exact_way(s.directions.all()[i]);
+      sides.push_back({mpq_class(-1) * up, -mpq_class(s.min[i])});
+      sides.push_back({up, s.max[i]});
+    }
+  } else {
+    for (const auto& h : s.halfspaces) sides.push_back({exact_way(h.normal), h.offset});
+  }
+  return sides;
+}
+
+/// The figure; nothing of polygons, which need not be convex, and of what is round.
+FlatSet flat_set(const FigureView& figure);
+template <FlatFigure Shape>
+FlatSet flat_set(const Shape& s) {
+  return flat_set(view_of(s));
+}
 /// What lies in all of them.
 FlatSet flat_set(const std::vector<ExactHalfspace>& halfspaces);
 
@@ -86,12 +86,6 @@ PlaneSection section(const FlatSet& s, const Exact3& normal, const mpq_class& of
 Relation relate(const FlatSet& a, const FlatSet& b);
 bool intersects(const FlatSet& a, const FlatSet& b);
 
-mpq_class dot(const Exact3& u, const Exact3& v);
-Exact3 cross(const Exact3& u, const Exact3& v);
-Exact3 operator+(const Exact3& u, const Exact3& v);
-Exact3 operator-(const Exact3& u, const Exact3& v);
-Exact3 operator*(const mpq_class& t, const Exact3& v);
-bool is_zero(const Exact3& v);
 /// Of the same direction, of integers without a common factor; zero of zero.
 Exact3 primitive(const Exact3& v);
 

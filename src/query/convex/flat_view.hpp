@@ -1,4 +1,4 @@
-// A figure with straight edges and flat faces whose type was forgotten: the type again, and its exact set.
+// A figure with straight edges and flat faces whose type was forgotten: the type again.
 //
 // Cost: a jump.
 #pragma once
@@ -26,8 +26,5 @@ decltype(auto) with_shape(const FlatView& v, F f) {
 inline bool is_polygon(const FlatView& v) {
   return is_one_of(v.kind, {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon});
 }
-
-/// The figure as an exact set; nothing of polygons.
-FlatSet flat_set(const FlatView& v);
 
 }  // namespace plumb::query

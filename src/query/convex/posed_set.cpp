@@ -3,13 +3,12 @@
 #include "arith/root_sign.hpp"
 #include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/cap_relation.hpp"
-#include "query/convex/exact_gap.hpp"
-#include "query/convex/flat_view.hpp"
+#include "query/convex/core.hpp"
 
 namespace plumb::query {
 namespace {
 
-/// The core, and the radius; flat sets without one.
+/// The core, and the radius; of polygons neither.
 template <class Shape>
 void fill(PosedSet& s, const Shape& shape) {
   if constexpr (std::is_same_v<Shape, Cylinder3> || std::is_same_v<Shape, Cone3>) {
@@ -23,15 +22,6 @@ void fill(PosedSet& s, const Shape& shape) {
     if (from != to && shape.radius > 0) s.axis = &shape;
     s.core = from == to ? flat_set(from) : flat_set(Segment3{from, to});
     s.radius = from == to ? shape.radius : 0;
-  } else if constexpr (requires { core_set(shape); }) {
-    s.core = core_set(shape);
-    s.radius = shape.radius;
-  } else if constexpr (std::is_same_v<Shape, Circle2>) {
-    s.core = flat_set(shape.center);
-    s.radius = shape.radius;
-  } else if constexpr (std::is_same_v<Shape, Capsule2>) {
-    s.core = flat_set(Segment2{shape.a, shape.b});
-    s.radius = shape.radius;
   } else if constexpr (std::is_same_v<Shape, SphericalCap3>) {
     if (auto thin = thin_cap(shape)) {
       s.core = std::move(*thin);
@@ -39,8 +29,9 @@ void fill(PosedSet& s, const Shape& shape) {
       s.core = flat_set(shape.sphere.center);
       s.cap = &shape;
     }
-  } else if constexpr (requires { flat_set(shape); }) {
-    s.core = flat_set(shape);
+  } else {
+    s.core = core_of(shape);
+    s.radius = radius_of(view_of(shape));
   }
 }
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "plumb/query/body/detail/with_figure.hpp"
-#include "query/convex/flat_view.hpp"
+#include "query/body/boundary.hpp"
+#include "query/convex/core.hpp"
 
 namespace plumb::query {
 namespace {
@@ -41,36 +42,19 @@ mpq_class squared_distance(const Exact3& p, const Exact3& corner, const Exact3& 
 
 RoundParts round_parts(const FigureView& v) {
   RoundParts all;
-  const auto add = [&](const auto& p, double radius) {
-    all.parts.push_back({exact3(p), mpq_class(radius), false, {}});
-  };
-  const auto add_chain = [&](const auto& polygon) {
-    for (const auto& p : polygon.vertices) add(p, 0);
-  };
-  with_figure(v, [&](const auto& s) {
+  with_figure(v, [&]<class Shape>(const Shape& s) {
     if constexpr (requires { s.apex; }) {
-      add(s.apex, 0);
+      all.parts.push_back({exact3(s.apex), 0, false, {}});
       add_disk(all, exact3(s.base), exact3(s.base) - exact3(s.apex), s.radius);
-    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(s)>, Cylinder3>) {
+    } else if constexpr (std::is_same_v<Shape, Cylinder3>) {
       const Exact3 a = exact3(s.a), b = exact3(s.b);
       add_disk(all, a, b - a, s.radius);
       add_disk(all, b, b - a, s.radius);
-    } else if constexpr (requires { s.corner; }) {
-      const Exact3 c = exact3(s.corner), e = exact3(s.edges[0]), f = exact3(s.edges[1]);
-      const std::array corners{c, Exact3(c + e), Exact3(c + f), Exact3(c + e + f)};
-      for (const Exact3& p : corners) all.parts.push_back({p, mpq_class(s.radius), false, {}});
-    } else if constexpr (requires { s.center, s.radius; }) {
-      add(s.center, s.radius);
-    } else if constexpr (requires { s.a, s.radius; }) {
-      add(s.a, s.radius);
-      add(s.b, s.radius);
-    } else if constexpr (requires { s.outer; }) {
-      add_chain(s.outer);
-      for (const auto& hole : s.holes) add_chain(hole);
-    } else if constexpr (requires { s.vertices; }) {
-      add_chain(s);
-    } else if constexpr (figure_kind<std::remove_cvref_t<decltype(s)>> == FigureKind::quadrilateral) {
-      add(s.a, 0), add(s.b, 0), add(s.c, 0), add(s.d, 0);
+    } else if constexpr (has_boundary<Shape> && (!FlatFigure<Shape> || is_one_of(figure_kind<Shape>, polygon_kinds))) {
+      const mpq_class radius = radius_of(v);
+      for_each_corner<mpq_class>(s, [&](const arith::Vec<mpq_class>& p) {
+        all.parts.push_back({{p.x, p.y, p.z}, radius, false, {}});
+      });
     } else {
       FlatSet flat = flat_set(v);
       for (const Exact3& p : flat.points) all.parts.push_back({p, mpq_class(0), false, {}});

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "query/body/boundary.hpp"
 #include "query/convex/bounding_side.hpp"
 
 namespace plumb::query {
@@ -110,26 +111,13 @@ Point3 origin_of_sides(const std::vector<Side>& sides) {
 }
 /// All whose hull the figure is, where they are doubles.
 std::vector<Point3> vertices_of(const FlatView& v) {
-  return with_shape(v, [](const auto& s) -> std::vector<Point3> {
-    constexpr FigureKind kind = figure_kind<std::remove_cvref_t<decltype(s)>>;
-    if constexpr (kind == FigureKind::point) {
-      return {in_space(s)};
-    } else if constexpr (kind == FigureKind::segment) {
-      return {in_space(s.a), in_space(s.b)};
-    } else if constexpr (kind == FigureKind::triangle) {
-      return {in_space(s.a), in_space(s.b), in_space(s.c)};
-    } else if constexpr (kind == FigureKind::tetrahedron) {
-      return {s.a, s.b, s.c, s.d};
-    } else if constexpr (kind == FigureKind::aabb) {
-      const Point3 a = in_space(s.min), b = in_space(s.max);
-      return {a, {b.x, a.y, a.z}, {a.x, b.y, a.z}, {b.x, b.y, a.z}, {a.x, a.y, b.z}, {b.x, a.y, b.z}, {a.x, b.y, b.z},
-              b};
-    } else if constexpr (kind == FigureKind::convex_polyhedron) {
-      return s.mesh.vertices;
-    } else {
-      return {};
-    }
+  std::vector<Point3> all;
+  with_shape(v, [&]<class Shape>(const Shape& s) {
+    constexpr bool are_doubles = !is_one_of(figure_kind<Shape>, {FigureKind::obb, FigureKind::rectangle});
+    if constexpr (has_boundary<Shape> && are_doubles)
+      for_each_corner<double>(s, [&](const Vec<double>& p) { all.push_back({p.x, p.y, p.z}); });
   });
+  return all;
 }
 /// Along one side of the solid: beyond it, or a vertex in it that the solid has too, of those nearest to a place.
 /// Nothing where neither is.

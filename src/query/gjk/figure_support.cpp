@@ -5,11 +5,10 @@
 #include <optional>
 
 #include "arith/big_rounding.hpp"
-#include "figure/basic/finite_parts.hpp"
+#include "figure/basic/pose_numbers.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/interval.hpp"
-#include "query/body/figure_input.hpp"
-#include "query/body/posed_corners.hpp"
+#include "query/body/vectors.hpp"
 
 namespace plumb::query {
 namespace {
@@ -29,16 +28,38 @@ long power_above(const BigDyadic& x) {
   return static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2)) + x.exponent();
 }
 
-Interval magnitudes(const Vector3& v) {
-  return Interval(std::fabs(v.x)) + Interval(std::fabs(v.y)) + Interval(std::fabs(v.z));
+Interval magnitude(const Interval& x) { return Interval(std::max(std::fabs(x.lower), std::fabs(x.upper))); }
+Interval magnitudes(const Vec3<Interval>& v) { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
+
+/// f of what tells farthest points of the figure.
+template <class F>
+auto with_support(const AnyFigure& figure, const F& f) {
+  using Answer = decltype(f(FigureSupport3<Sphere3>(Sphere3{})));
+  return visit(
+      [&]<class Shape>(const Shape& s) -> Answer {
+        if constexpr (figure_dimension<Shape> == 3 && SupportedFigure3<Shape>) {
+          return std::visit(
+              [&]<class By>(const By& pose) -> Answer {
+                if constexpr (PoseOfSpace<By>) {
+                  return f(ImageSupport3<Shape>(s, pose));
+                } else {
+                  return f(FigureSupport3<Shape>(s));
+                }
+              },
+              figure.pose());
+        }
+        refuse_figure("what takes farthest points", figure.figure());
+      },
+      figure);
 }
 
 }  // namespace
 
-Vector3 direction_before(const Pose& pose, const Vector3& direction) {
+Vector3 direction_before(PoseView pose, const Vector3& direction) {
   const Vec3<BigDyadic> n = vector_of<BigDyadic>(direction);
+  const auto numbers = figure::pose_numbers<BigDyadic>(pose);
   std::array<BigDyadic, 3> along;
-  for (std::size_t k = 0; k < 3; ++k) along[k] = dot(vector_of<BigDyadic>(pose.columns[k]), n);
+  for (std::size_t k = 0; k < 3; ++k) along[k] = dot(numbers.columns[k], n);
   std::optional<long> above;
   for (const BigDyadic& x : along) {
     if (x.sign() != Sign::zero) above = above ? std::max(*above, power_above(x)) : power_above(x);
@@ -48,21 +69,14 @@ Vector3 direction_before(const Pose& pose, const Vector3& direction) {
   return {part(0), part(1), part(2)};
 }
 
-Point3 rounded_image(const Pose& pose, const Point3& p) {
-  const Vec3<BigDyadic> image = posed<BigDyadic>(p, pose);
-  const auto part = [](const BigDyadic& x) { return rounded(Rounding::nearest, x); };
-  return {part(image.x), part(image.y), part(image.z)};
-}
-
-double rounding_of_image(const Pose& pose, double largest, double off) {
-  const auto& [c, by] = pose;
-  require_finite_parts("support_point", {"pose.columns[0]", "pose.columns[1]", "pose.columns[2]", "pose.translation"},
-                       c[0], c[1], c[2], by);
+double rounding_of_image(PoseView pose, double largest, double off) {
+  figure::require_sound("support_point", pose);
+  const auto [columns, translation, weight] = figure::pose_numbers<Interval>(pose);
   // What stretches most: no coordinate of an image is larger than this times that of the point.
-  const Interval stretch = magnitudes(pose.columns[0]) + magnitudes(pose.columns[1]) + magnitudes(pose.columns[2]);
+  const Interval stretch = quotient(magnitudes(columns[0]) + magnitudes(columns[1]) + magnitudes(columns[2]), weight);
   const Interval reach = Interval(largest) + Interval(off);
   // Three coordinates, each of which is the nearest double: together off by less than two of the largest one's steps.
-  const double size = (stretch * reach + magnitudes(pose.translation)).upper;
+  const double size = (stretch * reach + quotient(magnitudes(translation), weight)).upper;
   const Interval step = Interval(std::nextafter(size, HUGE_VAL)) - Interval(size);
   // A direction whose largest coordinate is between a half and one has three that are off by a quarter of the step at
   // one at most: less than that step together, twice as much of the direction, and so of the longest column.  No point of
@@ -70,9 +84,20 @@ double rounding_of_image(const Pose& pose, double largest, double off) {
   const Interval grain = Interval(std::nextafter(1.0, 2.0)) - Interval(1.0);
   const Interval turned = stretch * reach * grain * Interval(8.0);
   const double most = (stretch * Interval(off) + step + step + turned).upper;
-  if (!is_real(most) || !is_real(size))
+  if (!figure::is_real(most) || !figure::is_real(size))
     throw BeyondDoubles("support_point: the image of a figure under its pose is beyond all doubles");
   return most;
 }
 
 }  // namespace plumb::query
+
+namespace plumb {
+
+Point3 FigureSupport3<AnyFigure>::operator()(const Vector3& direction) const {
+  return query::with_support(*figure_, [&](const auto& support) { return support(direction); });
+}
+double FigureSupport3<AnyFigure>::rounding() const {
+  return query::with_support(*figure_, [](const auto& support) { return support.rounding(); });
+}
+
+}  // namespace plumb

@@ -33,7 +33,7 @@ bool QuickHull::set(const CoreCorners& core) {
   return true;
 }
 
-bool QuickHull::take_pose(const PoseView& pose) {
+bool QuickHull::take_pose(const AnyPoseView& pose) {
   const auto* matrix = std::get_if<const Pose*>(&pose.by);
   if (matrix == nullptr && !pose.stands()) return false;
   pose_ = matrix == nullptr ? nullptr : *matrix, is_given_ = pose_ == nullptr;

@@ -63,7 +63,7 @@ class QuickHull {
   static constexpr std::uint32_t most_scanned = quick_scan::most_at_once;
 
   bool set_few(const FigureView& figure);
-  bool take_pose(const PoseView& pose);
+  bool take_pose(const AnyPoseView& pose);
   [[nodiscard]] arith::Plain image(const arith::Plain& p) const {
     const auto& [u, v, w] = pose_->columns;
     return {u.x * p.x + v.x * p.y + w.x * p.z, u.y * p.x + v.y * p.y + w.y * p.z, u.z * p.x + v.z * p.y + w.z * p.z};

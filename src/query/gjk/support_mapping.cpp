@@ -2,6 +2,7 @@
 
 #include "arith/rounded_radical.hpp"
 #include "plumb/arith/ball.hpp"
+#include "plumb/figure/basic/sound.hpp"
 #include "query/gjk/body_pair.hpp"
 #include "query/gjk/mapping_hull.hpp"
 
@@ -26,7 +27,7 @@ void add_last(DifferenceCorners& guess, std::uint32_t steps) {
 /// origin; four times the rounding is more than root(3) times what both are off.  The hulls grow as long as that helps.
 bool meet_deeply(MappingHull& of_a, MappingHull& of_b, double rounding, GjkBounds& r) {
   const double deep = 4 * rounding;
-  if (!is_real(deep)) return false;
+  if (!figure::is_real(deep)) return false;
   for (const Vector3 by : {Vector3{deep, 0, 0}, Vector3{-deep, 0, 0}, Vector3{0, deep, 0}, Vector3{0, -deep, 0},
                            Vector3{0, 0, deep}, Vector3{0, 0, -deep}}) {
     std::optional<mpq_class> last;

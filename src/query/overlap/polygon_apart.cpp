@@ -4,38 +4,19 @@
 #include <vector>
 
 #include "arith/running_error.hpp"
-#include "query/body/axis_body.hpp"
+#include "query/body/boundary.hpp"
 
 namespace plumb::query {
 namespace {
 
-using namespace axes;
 using RunningVertices = std::vector<arith::Vec<Running>>;
-
-template <class Points>
-void add_all(RunningVertices& all, const Points& points) {
-  for (const auto& p : points) all.push_back(arith::vec<Running>(in_space(p)));
-}
 
 /// Whose hull holds the figure; none for what goes on without end, or lies between halfspaces.
 RunningVertices vertices_of(const FlatView& v) {
   RunningVertices all;
-  with_shape(v, [&](const auto& s) {
-    using Shape = std::remove_cvref_t<decltype(s)>;
-    if constexpr (has_body<Shape>) {
-      const auto body = axis_body_of<Running>(s, {0, 0, 0});
-      if (std::ranges::any_of(body.ends, [](EdgeEnd e) { return e != EdgeEnd::none; })) return;
-      all.assign(body.points.begin(), body.points.begin() + static_cast<std::ptrdiff_t>(body.point_count));
-    } else if constexpr (requires { s.outer; }) {
-      add_all(all, s.outer.vertices);
-      for (const auto& hole : s.holes) add_all(all, hole.vertices);
-    } else if constexpr (requires { s.vertices; }) {
-      add_all(all, s.vertices);
-    } else if constexpr (requires { s.mesh; }) {
-      add_all(all, s.mesh.vertices);
-    } else if constexpr (figure_kind<Shape> == FigureKind::quadrilateral) {
-      add_all(all, std::array{s.a, s.b, s.c, s.d});
-    }
+  with_shape(v, [&]<class Shape>(const Shape& s) {
+    if constexpr (has_boundary<Shape>)
+      for_each_corner<Running>(s, [&](const arith::Vec<Running>& p) { all.push_back(p); });
   });
   return all;
 }

@@ -6,6 +6,7 @@
 #include "figure/basic/in_space.hpp"
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
+#include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/flat_set.hpp"
 #include "query/overlap/polygon_apart.hpp"
@@ -14,26 +15,18 @@
 namespace plumb::query {
 namespace {
 
-using ChainCopy = std::vector<Point3>;
-
-Exact3 exact(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
-
-template <class Polygon>
-void add_chain(std::vector<ChainCopy>& chains, const Polygon& polygon) {
-  chains.emplace_back();
-  for (const auto& p : polygon.vertices) chains.back().push_back(in_space(p));
-}
-
-std::vector<ChainCopy> chains_of(const FlatView& v) {
-  std::vector<ChainCopy> chains;
-  with_shape(v, [&](const auto& s) {
-    if constexpr (requires { s.outer; }) {
-      add_chain(chains, s.outer);
-      for (const auto& hole : s.holes) add_chain(chains, hole);
-    } else if constexpr (requires { s.vertices; }) {
-      add_chain(chains, s);
-    } else if constexpr (requires { s.a, s.b, s.c, s.d; }) {
-      chains.push_back({in_space(s.a), in_space(s.b), in_space(s.c), in_space(s.d)});
+/// Nothing of other figures.
+ExactChains chains_of_polygon(const FlatView& v) {
+  ExactChains chains;
+  with_shape(v, [&]<class Shape>(const Shape& s) {
+    if constexpr (is_one_of(figure_kind<Shape>, polygon_kinds)) {
+      boundary::for_each_chain(s, [&](const auto& chain) {
+        chains.emplace_back();
+        boundary::for_each_place(chain, [&](const auto& p) {
+          const Point3 at = in_space(p);
+          chains.back().push_back({at.x, at.y, at.z});
+        });
+      });
     }
   });
   return chains;
@@ -72,9 +65,8 @@ Parts parts_of(const ExactChains& chains) {
   return {{}, pieces_on_line(chains)};
 }
 
-/// The chains, and the plane that they lie in; nothing of other figures.
+/// The vertices, and the plane that they lie in; nothing of other figures.
 struct PolygonInput {
-  std::vector<ChainCopy> chains;
   std::vector<Point3> all;
   PlaneOfPoints plane;
 
@@ -86,8 +78,10 @@ struct PolygonInput {
 PolygonInput input_of(std::string_view function, const FlatView& v) {
   PolygonInput input;
   if (!is_polygon(v)) return input;
-  input.chains = chains_of(v);
-  for (const ChainCopy& chain : input.chains) input.all.insert(input.all.end(), chain.begin(), chain.end());
+  with_shape(v, [&]<class Shape>(const Shape& s) {
+    if constexpr (is_one_of(figure_kind<Shape>, polygon_kinds))
+      for_each_corner<double>(s, [&](const arith::Vec<double>& p) { input.all.push_back({p.x, p.y, p.z}); });
+  });
   input.plane = plane_of_points(input.all);
   require_planar(function, spoken(v), input.plane);
   return input;
@@ -111,18 +105,9 @@ Relation relate_point(const FlatView& point, const FlatView& polygon) {
                               : place_of(polygon, *static_cast<const Point3*>(point.shape));
 }
 
-ExactChains exactly(const std::vector<ChainCopy>& chains) {
-  ExactChains all;
-  for (const ChainCopy& chain : chains) {
-    all.emplace_back();
-    for (const Point3& p : chain) all.back().push_back(exact(p));
-  }
-  return all;
-}
-
-Parts parts_of(const FlatView& v, const PolygonInput& input) {
+Parts parts_of(const FlatView& v) {
   if (!is_polygon(v)) return {{}, {{flat_set(v), true}}};
-  return parts_of(exactly(input.chains));
+  return parts_of(chains_of_polygon(v));
 }
 
 /// A convex set of the plane by its generators.
@@ -275,7 +260,7 @@ Relation relate_polygon(std::string_view function, const FlatView& a, const Flat
   if (b.kind == FigureKind::point && of_a.span()) return relate_point(b, a);
   if (is_polygon(a) && are_surely_apart(a, of_a.span(), b)) return Relation::disjoint;
   if (is_polygon(b) && are_surely_apart(b, of_b.span(), a)) return Relation::disjoint;
-  return relate(parts_of(a, of_a), parts_of(b, of_b));
+  return relate(parts_of(a), parts_of(b));
 }
 
 Relation relate_chains(const ExactChains& a, const ExactChains& b) { return relate(parts_of(a), parts_of(b)); }
@@ -284,11 +269,12 @@ Relation relate_chains(const ExactChains& a, const FlatSet& b, bool of_inside) {
 }
 
 ExactChains exact_chains(std::string_view function, const FlatView& polygon) {
-  return exactly(input_of(function, polygon).chains);
+  static_cast<void>(input_of(function, polygon));  // throws where they do not
+  return chains_of_polygon(polygon);
 }
 
 Relation relate_convex(std::string_view function, const FlatView& polygon, const FlatSet& other) {
-  const Parts p = parts_of(polygon, input_of(function, polygon));
+  const Parts p = parts_of(exact_chains(function, polygon));
   const LinePiece piece{other, true};
   return p.region ? relate(*p.region, piece) : relate_to_pieces(piece, p.pieces);
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <optional>
 
 #include "arith/exact_number.hpp"
 #include "arith/rational_lp.hpp"
 #include "certify/carried_errors.hpp"
+#include "plumb/query/overlap/posed.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "query/overlap/posed_triangles.hpp"
 
@@ -11,55 +11,50 @@ namespace plumb::query {
 namespace {
 
 /// Zero also where it is not certain.
-template <class T>
-int sure_sign(const T& x) {
-  return static_cast<int>(CertainSigns()(x));
-}
+int sure_sign(const Approximate& x) { return static_cast<int>(CertainSigns()(x)); }
 
 /// center + sum of numbers from -1 to 1 times these.
-template <class T>
 struct PosedBox {
-  Vec3<T> center;
-  std::array<Vec3<T>, 3> half;
+  Vec3<Approximate> center;
+  std::array<Vec3<Approximate>, 3> half;
 };
 
-template <class T>
-PosedBox<T> box_of(const Aabb3& b) {
-  const T zero(0.0), half(0.5);
-  const Vec3<T> low = vector_of<T>(b.min), high = vector_of<T>(b.max), width = (high - low) * half;
+PosedBox box_of(const Aabb3& b) {
+  const Approximate zero(0.0), half(0.5);
+  const Vec3<Approximate> low = vector_of<Approximate>(b.min), high = vector_of<Approximate>(b.max),
+                          width = (high - low) * half;
   return {(low + high) * half, {{{width.x, zero, zero}, {zero, width.y, zero}, {zero, zero, width.z}}}};
 }
-template <class T>
-PosedBox<T> box_of(const Obb3& b) {
-  return {vector_of<T>(b.center),
-          {vector_of<T>(b.axes[0]) * T(b.half.x), vector_of<T>(b.axes[1]) * T(b.half.y),
-           vector_of<T>(b.axes[2]) * T(b.half.z)}};
+PosedBox box_of(const Obb3& b) {
+  return {vector_of<Approximate>(b.center),
+          {vector_of<Approximate>(b.axes[0]) * Approximate(b.half.x),
+           vector_of<Approximate>(b.axes[1]) * Approximate(b.half.y),
+           vector_of<Approximate>(b.axes[2]) * Approximate(b.half.z)}};
 }
 
 /// What can separate a box with an inside from a triangle: normals of both, and what is across an edge of each.
-template <class T>
 class SeparatingWays {
  public:
-  SeparatingWays(const std::array<Vec3<T>, 3>& corner, const PosedBox<T>& box)
+  SeparatingWays(const std::array<Vec3<Approximate>, 3>& corner, const PosedBox& box)
       : to_{corner[0] - box.center, corner[1] - box.center, corner[2] - box.center}, box_(box) {
     const std::array edges{corner[1] - corner[0], corner[2] - corner[1], corner[0] - corner[2]};
     const auto& u = box.half;
     see(cross(edges[0], edges[1]));
     for (std::size_t k = 0; k < 3; ++k) {
       see(cross(u[k], u[(k + 1) % 3]));
-      for (const Vec3<T>& e : edges) see(cross(u[k], e));
+      for (const Vec3<Approximate>& e : edges) see(cross(u[k], e));
     }
   }
   [[nodiscard]] bool certainly_apart() const { return apart_; }
   [[nodiscard]] bool certainly_together() const { return together_; }
 
  private:
-  void see(const Vec3<T>& way) {
+  void see(const Vec3<Approximate>& way) {
     const auto& u = box_.half;
-    const T reach = magnitude(dot(way, u[0])) + magnitude(dot(way, u[1])) + magnitude(dot(way, u[2]));
+    const Approximate reach = magnitude(dot(way, u[0])) + magnitude(dot(way, u[1])) + magnitude(dot(way, u[2]));
     int beyond = 0, before = 0, below_end = 0, above_start = 0;
-    for (const Vec3<T>& to : to_) {
-      const T at = dot(way, to);
+    for (const Vec3<Approximate>& to : to_) {
+      const Approximate at = dot(way, to);
       const int end = sure_sign(at - reach), start = sure_sign(at + reach);
       beyond += end > 0 ? 1 : 0, below_end += end < 0 ? 1 : 0;
       before += start < 0 ? 1 : 0, above_start += start > 0 ? 1 : 0;
@@ -68,8 +63,8 @@ class SeparatingWays {
     together_ = together_ && below_end != 0 && above_start != 0;
   }
 
-  std::array<Vec3<T>, 3> to_;
-  const PosedBox<T>& box_;
+  std::array<Vec3<Approximate>, 3> to_;
+  const PosedBox& box_;
   bool apart_ = false, together_ = true;
 };
 
@@ -83,63 +78,25 @@ RationalCorners rational_corners(const PosedTriangle3& t) {
   return corners;
 }
 
-/// Unknowns: the weights of the corners, then `others` more.
-arith::Constraints weights_of_corners(std::size_t others) {
+/// Unknowns: the weights of the corners.
+arith::Constraints weights_of_corners() {
   arith::Constraints all;
-  arith::RationalVector sum(3 + others);
   for (std::size_t i = 0; i < 3; ++i) {
-    arith::RationalVector row(3 + others);
-    row[i] = -1, sum[i] = 1;
+    arith::RationalVector row(3);
+    row[i] = -1;
     all.add(row, 0);
   }
-  all.add(sum, 1);
-  for (mpq_class& x : sum) x = -x;
-  all.add(sum, -1);
+  all.add({1, 1, 1}, 1);
+  all.add({-1, -1, -1}, -1);
   return all;
-}
-
-bool is_feasible(const arith::Constraints& constraints) {
-  return arith::feasible(constraints, std::vector<bool>(constraints.rows.size())).slack >= 0;
-}
-
-[[gnu::noinline]] bool meets_flat_box(const PosedTriangle3& t, const PosedBox<BigDyadic>& box) {
-  const RationalCorners corners = rational_corners(t);
-  arith::Constraints all = weights_of_corners(3);
-  for (std::size_t k = 3; k < 6; ++k) {
-    for (const int sign : {-1, 1}) {
-      arith::RationalVector row(6);
-      row[k] = sign;
-      all.add(row, 1);
-    }
-  }
-  const auto parts = [](const Vec3<BigDyadic>& v) {
-    return std::array{gmp_number(v.x), gmp_number(v.y), gmp_number(v.z)};
-  };
-  const auto center = parts(box.center);
-  const std::array half{parts(box.half[0]), parts(box.half[1]), parts(box.half[2])};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    arith::RationalVector row(6);
-    for (std::size_t i = 0; i < 3; ++i) row[i] = corners[i][axis], row[3 + i] = -half[i][axis];
-    all.add(row, center[axis]);
-    for (mpq_class& x : row) x = -x;
-    all.add(row, -center[axis]);
-  }
-  return is_feasible(all);
 }
 
 template <class Box>
 bool meets_box(const PosedTriangle3& t, const Box& b) {
-  const auto quick = [&]<class T>(const T*) -> std::optional<bool> {
-    const PosedBox<T> box = box_of<T>(b);
-    const SeparatingWays<T> ways(posed_corners<T>(t), box);
-    if (ways.certainly_apart()) return false;
-    if (ways.certainly_together()) return true;
-    return {};
-  };
-  if (const auto told = quick(static_cast<const Approximate*>(nullptr))) return *told;
-  const auto box = box_of<BigDyadic>(b);
-  if (dot(box.half[0], cross(box.half[1], box.half[2])).sign() == Sign::zero) return meets_flat_box(t, box);
-  return !SeparatingWays<BigDyadic>(posed_corners<BigDyadic>(t), box).certainly_apart();
+  const PosedBox box = box_of(b);
+  const SeparatingWays ways(posed_corners<Approximate>(t), box);
+  if (ways.certainly_apart()) return false;
+  return ways.certainly_together() || relate_posed("intersects", posed_view(t), posed_view(b)) != Relation::disjoint;
 }
 
 /// normal . corner - offset
@@ -189,7 +146,7 @@ bool intersects(const PosedTriangle3& triangle, const HalfspaceIntersection3& re
   }
   if (std::ranges::any_of(inside, [](bool is) { return is; })) return true;
   const RationalCorners exact = rational_corners(triangle);
-  arith::Constraints all = weights_of_corners(0);
+  arith::Constraints all = weights_of_corners();
   for (const Halfspace3& h : region.halfspaces) {
     arith::RationalVector row(3);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -198,7 +155,7 @@ bool intersects(const PosedTriangle3& triangle, const HalfspaceIntersection3& re
     }
     all.add(row, mpq_class(h.offset));
   }
-  return is_feasible(all);
+  return arith::feasible(all, std::vector<bool>(all.rows.size())).slack >= 0;
 }
 
 }  // namespace plumb::query

@@ -1,6 +1,7 @@
 // Balls, capsules and lozenges against convex shapes that are given by vertices.
 #include "figure/support/near_points.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
 #include "query/overlap/box_quick.hpp"
@@ -40,7 +41,7 @@ template <class Flat, class Round>
       return static_cast<Relation>(-*gap);
   }
   require_figures(question, flat, round);
-  return relate_swept(core_set(round), round.radius, flat_set(flat));
+  return relate_swept(core_of(round), round.radius, flat_set(flat));
 }
 
 template <class Flat, class Round>
@@ -64,7 +65,7 @@ Relation relate_round(const A& a, const B& b, Question question) {
       return static_cast<Relation>(-*gap);
   }
   require_figures(question, a, b);
-  return relate_swept(core_set(a), a.radius, core_set(b), b.radius);
+  return relate_swept(core_of(a), a.radius, core_of(b), b.radius);
 }
 
 }  // namespace

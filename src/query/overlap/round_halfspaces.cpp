@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "query/body/figure_input.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
 #include "query/overlap/pair_answer.hpp"
@@ -174,7 +175,7 @@ Relation relate_halfspaces(const Round& a, const Set& b, Question question) {
   const std::vector<Side> sides = sides_of(b);
   const auto core = vertices(a);
   if (const auto gap = HalfspaceSearch(sides, core, a.radius).run()) return static_cast<Relation>(-*gap);
-  return relate_swept(core_set(a), a.radius, flat_set(b));
+  return relate_swept(core_of(a), a.radius, flat_set(b));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "query/body/figure_input.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
 #include "query/overlap/pair_answer.hpp"
@@ -71,8 +72,9 @@ bool all_beyond(std::span<const Vertex> vertices, const Vertex& origin, const Ve
   return true;
 }
 
-template <std::size_t N>
-std::optional<Sign> line_gap(const Point3& corner, const std::array<Vertex, N>& edges, double radius,
+/// The core is all sums of the corner and parts of the edges.
+template <class Round, std::size_t N>
+std::optional<Sign> line_gap(const Round& round, const Point3& corner, const std::array<Vertex, N>& edges,
                              const Point3& origin, const Vector3& direction, bool is_ray) {
   std::array<Plain, N> e;
   for (std::size_t k = 0; k < N; ++k) e[k] = plain(edges[k]);
@@ -81,11 +83,11 @@ std::optional<Sign> line_gap(const Point3& corner, const std::array<Vertex, N>& 
   const Vertex d = vertex(direction), o = vertex(origin), c = vertex(corner);
   Vertex way = c - o - d * Running(g.t);
   for (std::size_t k = 0; k < N; ++k) way = way + edges[k] * Running(g.s[k]);
-  const Running r(radius);
+  const Running r(round.radius);
   const Unsure<Sign> near = (arith::dot(way, way) - r * r).sign();
   if (!near.certain() || near.value() == Sign::zero) return {};
   if (near.value() == Sign::negative) return near.value();
-  const auto vertices = query::vertices(c, edges);
+  const auto vertices = query::vertices(round);
   const Plain w = plain(way);
   if (is_ray && g.t == 0) {
     const Vertex n = arith::vec<Running>(w);
@@ -97,22 +99,14 @@ std::optional<Sign> line_gap(const Point3& corner, const std::array<Vertex, N>& 
   return all_beyond(vertices, o, n, r) ? std::optional(Sign::positive) : std::nullopt;
 }
 
-template <class Line>
-std::optional<Sign> quick_line(const Line& line, const Capsule3& c) {
-  const std::array<Vertex, 1> edges{vertex(c.b) - vertex(c.a)};
-  if constexpr (std::is_same_v<Line, Ray3>) {
-    return line_gap(c.a, edges, c.radius, line.origin, line.direction, true);
+template <class Line, class Round>
+std::optional<Sign> quick_line(const Line& line, const Round& s) {
+  constexpr bool is_ray = std::is_same_v<Line, Ray3>;
+  const auto& [start, direction] = line;
+  if constexpr (std::is_same_v<Round, Capsule3>) {
+    return line_gap(s, s.a, std::array{vertex(s.b) - vertex(s.a)}, start, direction, is_ray);
   } else {
-    return line_gap(c.a, edges, c.radius, line.point, line.direction, false);
-  }
-}
-template <class Line>
-std::optional<Sign> quick_line(const Line& line, const Lozenge3& l) {
-  const std::array<Vertex, 2> edges{vertex(l.edges[0]), vertex(l.edges[1])};
-  if constexpr (std::is_same_v<Line, Ray3>) {
-    return line_gap(l.corner, edges, l.radius, line.origin, line.direction, true);
-  } else {
-    return line_gap(l.corner, edges, l.radius, line.point, line.direction, false);
+    return line_gap(s, s.corner, std::array{vertex(s.edges[0]), vertex(s.edges[1])}, start, direction, is_ray);
   }
 }
 
@@ -123,7 +117,7 @@ Relation relate_line_round(const Line& line, const Round& round, Question questi
       return static_cast<Relation>(-*gap);
   }
   require_figures(question, line, round);
-  return relate_swept(core_set(round), round.radius, flat_set(line));
+  return relate_swept(core_of(round), round.radius, flat_set(line));
 }
 
 }  // namespace

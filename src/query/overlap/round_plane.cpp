@@ -7,6 +7,7 @@
 #include "plumb/predicates/plane_distance.hpp"
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/pair_answer.hpp"
 
@@ -181,14 +182,14 @@ Relation relate_round_shape(const Plane& plane, const Round& round, Question que
     if (round.apex == round.base) return relate(plane, Sphere3{round.apex, round.radius});
     if (round.radius == 0) return relate_swept(flat_set(Segment3{round.apex, round.base}), 0, flat_set(plane));
   } else if (round.radius == 0) {
-    return relate_swept(core_set(round), 0, flat_set(plane));
+    return relate_swept(core_of(round), 0, flat_set(plane));
   }
   if (has_sides(plane)) return relation_of(*sides_of<BigDyadic>(plane, round), of_halfspace);
   if constexpr (std::is_same_v<Round, Cylinder3> || std::is_same_v<Round, Cone3>) {
     if constexpr (std::is_same_v<Plane, ThreePointPlane3>) return relate_spanned_line(plane, round);
     return flat_set(plane).points.empty() ? Relation::disjoint : Relation::overlapping;  // nothing or all of space
   } else {
-    return relate_swept(core_set(round), round.radius, flat_set(plane));
+    return relate_swept(core_of(round), round.radius, flat_set(plane));
   }
 }
 

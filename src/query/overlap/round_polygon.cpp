@@ -6,6 +6,7 @@
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/body/chain_edges.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/odd_edges.hpp"
 #include "query/overlap/pair_answer.hpp"
@@ -158,7 +159,7 @@ Relation relate_edges(const std::vector<Segment3>& edges, const Round& round, st
 template <class Polygon, class Round>
 Relation relate_round_polygon(const Polygon& a, const Round& b, Question question) {
   require_figures(question, a, b);
-  if (b.radius == 0) return relate_convex(name_of(question), view_of(a), core_set(b));
+  if (b.radius == 0) return relate_convex(name_of(question), view_of(a), core_of(b));
   return relate_edges(edges_of(a), b, name_of(question), spoken(view_of(a)));
 }
 

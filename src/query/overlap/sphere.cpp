@@ -3,6 +3,7 @@
 
 #include "plumb/predicates/distance.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/overlap/pair_answer.hpp"
 #include "query/overlap/straight_and_ball.hpp"
@@ -36,7 +37,7 @@ Relation relate_nearest(const Flat& flat, const Sphere3& ball, Question question
   require_figures(question, flat, ball);
   if (is_nothing(flat)) return Relation::disjoint;
   const Sign s = gap(flat, ball);
-  if (s == Sign::zero && ball.radius == 0) return relate_swept(core_set(ball), 0, flat_set(flat));
+  if (s == Sign::zero && ball.radius == 0) return relate_swept(core_of(ball), 0, flat_set(flat));
   return static_cast<Relation>(-s);
 }
 
@@ -46,7 +47,7 @@ template <class Straight>
   const Relation r = in_words(straight, ball, []<class Statement>(const Statement& statement, const auto&... input) {
     return certainly<CloserWorlds<Statement>>(statement, input...);
   });
-  if (r == Relation::touching && ball.radius == 0) return relate_swept(core_set(ball), 0, flat_set(straight));
+  if (r == Relation::touching && ball.radius == 0) return relate_swept(core_of(ball), 0, flat_set(straight));
   return r;
 }
 

@@ -18,7 +18,7 @@ int alike(const Vector3& u, const Vector3& v) {
   return (x > 0) == (y > 0) ? 1 : -1;
 }
 
-bool turns_alike(const PoseView& p, const PoseView& q) {
+bool turns_alike(const AnyPoseView& p, const AnyPoseView& q) {
   if (p == q) return true;
   return std::visit(
       []<class P, class Q>(const P& of_p, const Q& of_q) {

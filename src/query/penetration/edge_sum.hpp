@@ -75,7 +75,7 @@ class EdgeSum {
   const Difference& of_;
   std::array<SumEdge, 6> edges_{};
   std::array<std::optional<Vector3>, 6> along_;  // of the first of each group
-  std::array<PoseView, 6> pose_{};
+  std::array<AnyPoseView, 6> pose_{};
   std::array<std::optional<int>, 6> axis_;
   std::size_t size_ = 0, groups_ = 0;
 };

@@ -7,6 +7,16 @@ namespace {
 
 using arith::sparse_cross, arith::sparse_dot, arith::sparse_product;
 
+/// Of length 1 where it is along an axis of space by zeros: what is along such a one has no error of its own.
+template <class T>
+Vec<T> shortened(const Vec<T>& v) {
+  const auto is = [](const T& x) { return certainly_zero(x); };
+  const auto unit = [&](const T& x) { return is(x) ? T(0.0) : T(static_cast<double>(certain_sign(x))); };
+  const int zeros = static_cast<int>(is(v.x)) + static_cast<int>(is(v.y)) + static_cast<int>(is(v.z));
+  const bool is_along = zeros == 2 && certain_sign(v.x) + certain_sign(v.y) + certain_sign(v.z) != 0;
+  return is_along ? Vec<T>{unit(v.x), unit(v.y), unit(v.z)} : v;
+}
+
 /// Along the normal of two groups.
 template <class T>
 struct Axis {
@@ -14,7 +24,7 @@ struct Axis {
   T square, middle, overlap;
 
   Axis(const SumParts<T>& parts, std::size_t groups, std::uint32_t p, std::uint32_t q)
-      : normal(sparse_cross(parts.group[p], parts.group[q])),
+      : normal(shortened(sparse_cross(parts.group[p], parts.group[q]))),
         square(sparse_dot(normal, normal)),
         middle(sparse_dot(normal, parts.middle)),
         overlap(T(0.0) - magnitude(middle)) {
@@ -87,8 +97,12 @@ std::optional<Sign> order_of(const Axis<Ball>& p, const Axis<Ball>& q) {
   return certain((sparse_product(square_p, q.square) - sparse_product(square_q, p.square)).sign());
 }
 
-/// The axis of the least overlap, or of the widest gap as far as doubles tell.
-std::optional<Signs> least_of(const Zonotope& z) {
+/// The axis of the least overlap; of what is apart that of the widest gap as far as doubles tell, or a likely one.
+struct Least {
+  Signs signs;
+  bool is_widest = true;
+};
+std::optional<Least> least_of(const Zonotope& z, Gap gap) {
   std::array<std::uint32_t, 15> near;  // as far as running errors tell
   std::size_t size = 0;
   std::uint32_t best = 0;
@@ -101,6 +115,24 @@ std::optional<Signs> least_of(const Zonotope& z) {
   }
   const std::size_t groups = z.sum().groups();
   Axes axes(z.sum());
+  bool is_widest = true;
+  if (gap == Gap::likely && z.rough(best).overlap.sign() == Unsure{Sign::negative}) {
+    // A guess: of faces that are nearly in one plane the largest is the one that the other body is before.
+    const auto is_of_one = [&](std::uint32_t i) {
+      return z.sum().first_of(z.pair(i)[0]).body == z.sum().first_of(z.pair(i)[1]).body;
+    };
+    std::optional<std::uint32_t> face;
+    for (std::size_t k = 0; k < size; ++k) {
+      const auto area = [&](std::uint32_t i) {
+        const Vec<Running>& n = z.rough(i).normal;
+        return n.x.value * n.x.value + n.y.value * n.y.value + n.z.value * n.z.value;
+      };
+      if (z.rough(near[k]).overlap.sign() != Unsure{Sign::negative}) continue;
+      if (is_of_one(near[k]) && (!face || area(near[k]) > area(*face))) face = near[k];
+    }
+    is_widest = size == 1;
+    best = face.value_or(best), size = 0;
+  }
   const auto fine = [&](std::uint32_t i) -> const Axis<Ball>& { return axes(i, z.pair(i)[0], z.pair(i)[1]); };
   for (;;) {  // ends, for each is nearer than the one before
     const Zonotope::OfNormal& rough = z.rough(best);
@@ -120,7 +152,7 @@ std::optional<Signs> least_of(const Zonotope& z) {
         return {};
       }
     }
-    if (!nearer) return signs;
+    if (!nearer) return Least{*signs, is_widest};
     best = *nearer;
   }
 }
@@ -157,10 +189,11 @@ SumParting told_of(const EdgeSum& sum, const Signs& signs) {
 
 }  // namespace
 
-std::optional<SumParting> quick_axis(const Zonotope& z) {
-  const auto signs = least_of(z);
-  if (!signs) return {};
-  SumParting told = told_of(z.sum(), *signs);
+std::optional<SumParting> quick_axis(const Zonotope& z, Gap gap) {
+  const auto least = least_of(z, gap);
+  if (!least) return {};
+  SumParting told = told_of(z.sum(), least->signs);
+  told.is_widest = least->is_widest;
   if (told.known == SumParting::Known::parting) told.is_plain = {z.is_independent(0), z.is_independent(1)};
   return told;
 }

@@ -5,7 +5,7 @@
 // edges that this one is at right angles to as well are the same one: so a box that rests on another is no tie.
 // Laws: what is told is what query/penetration/search.hpp would tell; nothing where doubles do not tell it, or where
 // several directions are as near.  Of bodies that are apart: a plane between them, which need not be at right angles to
-// the way between their nearest points; as a rule that of the widest gap.
+// the way between their nearest points.
 // Source: RTCD 4.4.1, 5.2.1; Gottschalk, Lin and Manocha 1996.
 // Cost: beside the zonotope some 100 operations, 1,200 more for each axis that may be as near; no allocation.
 #pragma once
@@ -38,7 +38,7 @@ SumFacet facet_of(const EdgeSum& sum, std::uint32_t i, std::uint32_t j, Sign sid
   return f;
 }
 
-std::optional<SumParting> quick_axis(const Zonotope& z);
+std::optional<SumParting> quick_axis(const Zonotope& z, Gap gap);
 
 /// The plane at right angles to two edges of sums, where it has one of them on each side for certain.
 std::optional<SumParting> plane_across(const Difference& d, const SumFacetEdges& edges);

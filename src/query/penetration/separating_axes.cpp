@@ -96,14 +96,14 @@ std::optional<SumParting> quick_boxes(const EdgeSum& sum) {
 
 }  // namespace
 
-SumParting parted_sums(const Difference& d) {
+SumParting parted_sums(const Difference& d, Gap gap) {
   SumParting told;
   const EdgeSum sum(d);
   if (sum.groups() < 3) return told;
   if (sum.groups() == 3 && sum.axis(0) && sum.axis(1) && sum.axis(2)) return parted_along_axes(sum);
   if (const auto quick = quick_boxes(sum)) return *quick;
   Zonotope z(sum);
-  if (const auto quick = quick_axis(z)) return *quick;
+  if (const auto quick = quick_axis(z, gap)) return *quick;
   const Nearest nearest = nearest_normals(z);
   if (nearest.is_apart) {
     told.known = SumParting::Known::apart;

@@ -19,6 +19,10 @@ namespace plumb::query::parting {
 /// The edges that a facet's normal is at right angles to.
 using SumFacetEdges = std::array<EdgeName, 2>;
 
+/// Which of several planes between sums that are apart: one that is likely to hold a nearest point of each, or the one of
+/// the widest gap, as far as doubles tell.
+enum class Gap : unsigned char { likely, widest };
+
 struct SumParting {
   enum class Known : unsigned char { nothing, apart, parting };
   Known known = Known::nothing;
@@ -26,11 +30,12 @@ struct SumParting {
   std::array<SumLevel, 2> level{};       // where the first touches the second
   std::array<bool, 2> is_plain{};        // the body's edges are known to be independent
   std::optional<Ball> overlap{};         // along an axis of space, where it is known
+  bool is_widest = true;                 // no other plane has a wider gap, as far as doubles tell
   std::optional<SumFacetEdges> edges{};  // where it is along one facet's normal that doubles found
 };
 
 /// Of bodies that are sums; radii have no part in it.
-SumParting parted_sums(const Difference& d);
+SumParting parted_sums(const Difference& d, Gap gap = Gap::likely);
 
 /// The same of edges that are along the axes of space, one group each.
 SumParting parted_along_axes(const EdgeSum& sum);

@@ -23,7 +23,7 @@ class Zonotope {
   /// Of the overlap over the normal's length, in running errors; with the overlap's sign.
   [[nodiscard]] const Running& square(std::uint32_t normal) const { return normal_[normal].square; }
 
-  /// Along a normal of two groups, in running errors: times its length.
+  /// Along a normal of two groups, in running errors: times its length; `square` as above.
   struct OfNormal {
     std::array<std::uint32_t, 2> of;
     Vec<Running> normal;

@@ -7,12 +7,10 @@
 
 #include "plumb/predicates.hpp"
 #include "plumb/predicates/determinant.hpp"
-#include "plumb/query/ray/hits.hpp"
+#include "query/ray/answers.hpp"
 #include "query/ray/box_feature.hpp"
-#include "query/ray/facets.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 /// Constraint 2 a is the lower end of axis a, 2 a + 1 the upper one, by the cofactors of the axes.
@@ -157,58 +155,25 @@ struct FlatTetrahedronModel : FacetModel<FlatTetrahedronModel> {
   }
 };
 
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Obb3& box) {
-  require<Answer>(ray, box);
-  const Sign turn = sign_of(predicates::Determinant3{}, box.axes[0], box.axes[1], box.axes[2]);
-  if (turn != Sign::zero) {
-    const SolidBoxModel model{box, turn};
-    return answer<Answer>(ray, model, clip(ray, model));
-  }
-  const FlatBoxModel model(box);
-  return answer<Answer>(ray, model, meet(ray, model));
-}
-
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Rectangle3& rectangle) {
-  require<Answer>(ray, rectangle);
-  const RectangleModel model(rectangle);
-  return answer<Answer>(ray, model, meet(ray, model));
-}
-
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Tetrahedron3& t) {
-  require<Answer>(ray, t);
-  const Sign turn = orient3d(t.a, t.b, t.c, t.d);
-  if (turn != Sign::zero) {
-    const SolidTetrahedronModel model{BoxCorners(t), turn};
-    return answer<Answer>(ray, model, clip(ray, model));
-  }
-  const FlatTetrahedronModel model(t);
-  return answer<Answer>(ray, model, meet(ray, model));
-}
-
 }  // namespace
-}  // namespace query
 
-std::optional<Hit> first_hit(const AnyRay& ray, const Obb3& box) { return query::of<Hit>(ray, box); }
-std::optional<Hit> first_hit(const AnyRay& ray, const Rectangle3& rectangle) { return query::of<Hit>(ray, rectangle); }
-std::optional<Hit> first_hit(const AnyRay& ray, const Tetrahedron3& t) { return query::of<Hit>(ray, t); }
+template <class F>
+auto with_model(const Obb3& box, const RayQuestion&, const F& f) {
+  const Sign turn = sign_of(predicates::Determinant3{}, box.axes[0], box.axes[1], box.axes[2]);
+  return turn != Sign::zero ? f(SolidBoxModel{box, turn}) : f(FlatBoxModel(box));
+}
+template <class F>
+auto with_model(const Rectangle3& rectangle, const RayQuestion&, const F& f) {
+  return f(RectangleModel(rectangle));
+}
+template <class F>
+auto with_model(const Tetrahedron3& t, const RayQuestion&, const F& f) {
+  const Sign turn = orient3d(t.a, t.b, t.c, t.d);
+  return turn != Sign::zero ? f(SolidTetrahedronModel{BoxCorners(t), turn}) : f(FlatTetrahedronModel(t));
+}
 
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Obb3& box) {
-  return query::of<RayParameter>(ray, box);
-}
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Rectangle3& rectangle) {
-  return query::of<RayParameter>(ray, rectangle);
-}
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Tetrahedron3& t) {
-  return query::of<RayParameter>(ray, t);
-}
+template struct RayAnswers<Obb3>;
+template struct RayAnswers<Rectangle3>;
+template struct RayAnswers<Tetrahedron3>;
 
-bool hits(const AnyRay& ray, const Obb3& box) { return query::of<query::Decided>(ray, box).has_value(); }
-bool hits(const AnyRay& ray, const Rectangle3& rectangle) {
-  return query::of<query::Decided>(ray, rectangle).has_value();
-}
-bool hits(const AnyRay& ray, const Tetrahedron3& t) { return query::of<query::Decided>(ray, t).has_value(); }
-
-}  // namespace plumb
+}  // namespace plumb::query

@@ -174,9 +174,4 @@ std::optional<Decided> clip(const ShotLine<T>& line, const Model& model, RaySign
   return decided;
 }
 
-template <class Model>
-std::optional<Decided> clip(const AnyRay& ray, const Model& model) {
-  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return clip<T>(ShotLine<T>(ray), model, ask); });
-}
-
 }  // namespace plumb::query

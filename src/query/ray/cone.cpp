@@ -7,13 +7,10 @@
 // first root from there on is the lesser one of a positive square, the greater one of a negative, and both are
 // (-half - sqrt(discriminant)) / square;
 //   discriminant = P^2 (r^2 |e x (d x w)|^2 - P (w . (d x e))^2).
-#include "plumb/query/ray/hits.hpp"
-#include "query/ray/clip.hpp"
+#include "query/ray/answers.hpp"
 #include "query/ray/round_parts.hpp"
-#include "query/ray/seen_line.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 /// Constraint 0: not before the apex; 1: not beyond the base; 2: the side, where its quadratic is linear.
@@ -52,6 +49,8 @@ struct ConeModel {
   void know(const Decided& decided, Known& known) const {
     if (decided.feature.kind == FeatureKind::vertex) known = {cone.apex.x, cone.apex.y, cone.apex.z};
   }
+  template <class T>
+  std::optional<Decided> decide(const ShotLine<T>& line, RaySigns& ask) const;
 };
 
 /// When the line enters the cone among what is left between apex and base.
@@ -69,18 +68,17 @@ std::optional<When> enter_cone(const AnyRay& ray, const Quadratic<T>& q, const R
 }
 
 template <class T>
-std::optional<Decided> decide_cone(const ShotLine<T>& line, const ConeModel& model, RaySigns& ask) {
-  constexpr std::uint32_t apex = ConeModel::apex, base = ConeModel::base, side = ConeModel::side;
-  const Linear<T> before = model.linear(line, apex, ask), beyond = model.linear(line, base, ask);
+std::optional<Decided> ConeModel::decide(const ShotLine<T>& line, RaySigns& ask) const {
+  const Linear<T> before = linear(line, apex, ask), beyond = linear(line, base, ask);
   Remaining<T> left(line.ray);
   if (!left.cut(before, apex, ask) || !left.cut(beyond, base, ask)) return {};
-  const Quadratic<T> q = model.quadratic(line);
+  const Quadratic<T> q = quadratic(line);
   const std::optional<When> when = enter_cone(line.ray, q, left, ask);
   if (!when) return {};
   const bool root = when->at == When::At::root, on_line = when->at == When::At::quotient && when->index == side;
   Time<T> time = time_zero<T>();
   if (when->at == When::At::quotient) {
-    const Linear<T> c = when->index == side ? model.linear(line, side, ask) : when->index == base ? beyond : before;
+    const Linear<T> c = when->index == side ? linear(line, side, ask) : when->index == base ? beyond : before;
     time = with_positive_denominator(c.constant, T(0.0) - c.slope, -ask(c.slope));
   }
   const auto holds = [&](std::uint32_t plane, const Linear<T>& c) {
@@ -98,40 +96,16 @@ std::optional<Decided> decide_cone(const ShotLine<T>& line, const ConeModel& mod
   return Decided{*when, feature, true, by_side ? side : base};
 }
 
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Cone3& cone) {
-  require<Answer>(ray, cone);
-  if (cone.apex == cone.base) {  // a ball, of which no direction is known to cut
-    const Sphere3 ball{cone.apex, cone.radius};
-    if constexpr (std::is_same_v<Answer, Decided>) {
-      return hits(ray, ball) ? std::optional<Decided>(Decided{}) : std::nullopt;
-    } else if constexpr (std::is_same_v<Answer, Hit>) {
-      return first_hit(ray, ball);
-    } else {
-      return first_hit_parameter(ray, ball);
-    }
-  }
-  const ConeModel model{cone};
-  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
-                          return decide_cone<T>(ShotLine<T>(ray), model, ask);
-                        }));
-}
-
 }  // namespace
 
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Cone3& cone) {
-  if (cone.apex == cone.base) return seen_hit(line, Sphere3{cone.apex, cone.radius});
-  const ConeModel model{cone};
-  RaySigns ask;
-  return seen_hit(line, model, decide_cone(line, model, ask));
+template <class F>
+auto with_model(const Cone3& cone, const RayQuestion&, const F& f) {
+  // A ball, of which no direction is known to cut.
+  return cone.apex == cone.base ? f(BallModel{cone.apex, cone.radius}) : f(ConeModel{cone});
 }
 
-}  // namespace query
+template struct RayAnswers<Cone3>;
 
-std::optional<Hit> first_hit(const AnyRay& ray, const Cone3& cone) { return query::of<Hit>(ray, cone); }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Cone3& cone) {
-  return query::of<RayParameter>(ray, cone);
-}
-bool hits(const AnyRay& ray, const Cone3& cone) { return query::of<query::Decided>(ray, cone).has_value(); }
+template std::optional<SeenHit> seen_hit(const SeenLine&, const Cone3&);
 
-}  // namespace plumb
+}  // namespace plumb::query

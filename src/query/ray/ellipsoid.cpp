@@ -8,12 +8,10 @@
 #include <algorithm>
 #include <span>
 
-#include "plumb/figure/basic/sound.hpp"
-#include "plumb/query/ray/hits.hpp"
+#include "query/ray/answers.hpp"
 #include "query/ray/round_parts.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 template <class T>
@@ -138,24 +136,13 @@ EllipsoidSpan span_of(const Ellipsoid3& ellipsoid) {
   });
 }
 
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Ellipsoid3& ellipsoid) {
-  constexpr std::string_view function = function_of<Answer>;
-  if (!is_sound(ray)) require_ray(function, ray);
-  figure::require_sound(function, ellipsoid);
-  const EllipsoidModel model{ellipsoid, span_of(ellipsoid)};
-  return answer<Answer>(ray, model, clip(ray, model));
-}
-
 }  // namespace
-}  // namespace query
 
-std::optional<Hit> first_hit(const AnyRay& ray, const Ellipsoid3& ellipsoid) { return query::of<Hit>(ray, ellipsoid); }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Ellipsoid3& ellipsoid) {
-  return query::of<RayParameter>(ray, ellipsoid);
-}
-bool hits(const AnyRay& ray, const Ellipsoid3& ellipsoid) {
-  return query::of<query::Decided>(ray, ellipsoid).has_value();
+template <class F>
+auto with_model(const Ellipsoid3& ellipsoid, const RayQuestion&, const F& f) {
+  return f(EllipsoidModel{ellipsoid, span_of(ellipsoid)});
 }
 
-}  // namespace plumb
+template struct RayAnswers<Ellipsoid3>;
+
+}  // namespace plumb::query

@@ -172,9 +172,30 @@ std::optional<Feature> corner_or_edge(const Facet<T>& f, const Vec3<T>& p, const
   return found;
 }
 
+/// Of a ray that is a point: the first feature that holds it.
 template <class T, class Model>
-std::optional<Decided> meet_facets(const AnyRay& ray, const Model& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
+std::optional<Decided> hold_point(const ShotLine<T>& line, const Model& model, RaySigns& ask) {
+  const Vec3<T> p{T(0.0), T(0.0), T(0.0)};
+  std::optional<Decided> best;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(model.facets()); ++i) {
+    const Facet<T> f = model.template facet<T>(line, i);
+    std::optional<Feature> found = corner_or_edge(f, p, T(1.0), ask);
+    const Vec3<T> normal = facet_normal(f);
+    if (!found && !is_zero(normal, ask) && ask(dot(f.corners[0], normal)) == Sign::zero) {
+      bool inside = true;
+      for (std::size_t k = 0; k < f.size; ++k)
+        inside = inside && ask(side_of(f, normal, line.direction, k).constant) != Sign::positive;
+      if (inside) found = Feature{FeatureKind::face, f.face};
+    }
+    if (found && (!best || std::pair(found->kind, found->index) < std::pair(best->feature.kind, best->feature.index)))
+      best = Decided{{When::At::zero, i, 0}, *found, true, i};
+  }
+  return best;
+}
+
+template <class T, class Model>
+std::optional<Decided> meet_facets(const ShotLine<T>& line, const Model& model, RaySigns& ask) {
+  if (has_no_direction(line.ray)) return hold_point<T>(line, model, ask);
   Earliest<T> earliest;
   const auto size = static_cast<std::uint32_t>(model.facets());
   for (std::uint32_t i = 0; i < size; ++i) meet_facet(line, model.template facet<T>(line, i), i, earliest, ask);
@@ -230,35 +251,6 @@ struct FacetModel {
     return still_normal(facet_normal(static_cast<const Derived&>(*this).template facet<T>(line, decided.normal)));
   }
 };
-
-/// Of a ray that is a point: the first feature that holds it.
-template <class T, class Model>
-std::optional<Decided> hold_point(const AnyRay& ray, const Model& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
-  const Vec3<T> p{T(0.0), T(0.0), T(0.0)};
-  std::optional<Decided> best;
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(model.facets()); ++i) {
-    const Facet<T> f = model.template facet<T>(line, i);
-    std::optional<Feature> found = corner_or_edge(f, p, T(1.0), ask);
-    const Vec3<T> normal = facet_normal(f);
-    if (!found && !is_zero(normal, ask) && ask(dot(f.corners[0], normal)) == Sign::zero) {
-      bool inside = true;
-      for (std::size_t k = 0; k < f.size; ++k)
-        inside = inside && ask(side_of(f, normal, line.direction, k).constant) != Sign::positive;
-      if (inside) found = Feature{FeatureKind::face, f.face};
-    }
-    if (found && (!best || std::pair(found->kind, found->index) < std::pair(best->feature.kind, best->feature.index)))
-      best = Decided{{When::At::zero, i, 0}, *found, true, i};
-  }
-  return best;
-}
-
-template <class Model>
-std::optional<Decided> meet(const AnyRay& ray, const Model& model) {
-  if (has_no_direction(ray))
-    return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return hold_point<T>(ray, model, ask); });
-  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return meet_facets<T>(ray, model, ask); });
-}
 
 /// The sign of value, or of the first part of the gradient that is not zero: of a ray that is moved a little along x,
 /// far less along y, and less again along z.

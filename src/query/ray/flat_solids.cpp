@@ -2,12 +2,10 @@
 #include <span>
 
 #include "plumb/predicates.hpp"
-#include "plumb/query/ray/hits.hpp"
+#include "query/ray/answers.hpp"
 #include "query/ray/box_feature.hpp"
-#include "query/ray/numbers.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 /// normal . p - offset <= 0, or its opposite.
@@ -148,70 +146,33 @@ struct AabbModel {
   }
 };
 
-template <class Answer, class Model>
-std::optional<Answer> of_model(const AnyRay& ray, const Model& model) {
-  return answer<Answer>(ray, model, clip(ray, model));
-}
-
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Plane3& plane) {
-  require<Answer>(ray, plane);
-  return of_model<Answer>(ray, PlaneModel{plane});
-}
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const ThreePointPlane3& plane) {
-  require<Answer>(ray, plane);
-  return of_model<Answer>(ray, PointsModel(plane));
-}
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Halfspace3& halfspace) {
-  require<Answer>(ray, halfspace);
-  return of_model<Answer>(ray, HalfspaceModel{halfspace});
-}
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Aabb3& box) {
-  require<Answer>(ray, box);
-  return of_model<Answer>(ray, AabbModel{box});
-}
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const KDop3& k_dop) {
-  require<Answer>(ray, k_dop);
-  return of_model<Answer>(ray, KDopModel{k_dop});
-}
-
 }  // namespace
 
-}  // namespace query
-
-std::optional<Hit> first_hit(const AnyRay& ray, const Plane3& plane) { return query::of<Hit>(ray, plane); }
-std::optional<Hit> first_hit(const AnyRay& ray, const ThreePointPlane3& plane) { return query::of<Hit>(ray, plane); }
-std::optional<Hit> first_hit(const AnyRay& ray, const Halfspace3& halfspace) { return query::of<Hit>(ray, halfspace); }
-std::optional<Hit> first_hit(const AnyRay& ray, const Aabb3& box) { return query::of<Hit>(ray, box); }
-std::optional<Hit> first_hit(const AnyRay& ray, const KDop3& k_dop) { return query::of<Hit>(ray, k_dop); }
-
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Plane3& plane) {
-  return query::of<RayParameter>(ray, plane);
+template <class F>
+auto with_model(const Plane3& plane, const RayQuestion&, const F& f) {
+  return f(PlaneModel{plane});
 }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const ThreePointPlane3& plane) {
-  return query::of<RayParameter>(ray, plane);
+template <class F>
+auto with_model(const ThreePointPlane3& plane, const RayQuestion&, const F& f) {
+  return f(PointsModel(plane));
 }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Halfspace3& halfspace) {
-  return query::of<RayParameter>(ray, halfspace);
+template <class F>
+auto with_model(const Halfspace3& halfspace, const RayQuestion&, const F& f) {
+  return f(HalfspaceModel{halfspace});
 }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Aabb3& box) {
-  return query::of<RayParameter>(ray, box);
+template <class F>
+auto with_model(const Aabb3& box, const RayQuestion&, const F& f) {
+  return f(AabbModel{box});
 }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const KDop3& k_dop) {
-  return query::of<RayParameter>(ray, k_dop);
+template <class F>
+auto with_model(const KDop3& k_dop, const RayQuestion&, const F& f) {
+  return f(KDopModel{k_dop});
 }
 
-bool hits(const AnyRay& ray, const Plane3& plane) { return query::of<query::Decided>(ray, plane).has_value(); }
-bool hits(const AnyRay& ray, const ThreePointPlane3& plane) {
-  return query::of<query::Decided>(ray, plane).has_value();
-}
-bool hits(const AnyRay& ray, const Halfspace3& halfspace) {
-  return query::of<query::Decided>(ray, halfspace).has_value();
-}
-bool hits(const AnyRay& ray, const KDop3& k_dop) { return query::of<query::Decided>(ray, k_dop).has_value(); }
+template struct RayAnswers<Plane3>;
+template struct RayAnswers<ThreePointPlane3>;
+template struct RayAnswers<Halfspace3>;
+template struct RayAnswers<Aabb3>;
+template struct RayAnswers<KDop3>;
 
-}  // namespace plumb
+}  // namespace plumb::query

@@ -8,13 +8,13 @@
 // Cost: that of meet_facets.
 #pragma once
 
-#include "query/ray/facets.hpp"
+#include "query/ray/answers.hpp"
 
 namespace plumb::query {
 
 template <class T, class Model>
-std::optional<Decided> half_open(const AnyRay& ray, const Model& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
+std::optional<Decided> half_open(const ShotLine<T>& line, const Model& model, RaySigns& ask) {
+  const AnyRay& ray = line.ray;
   const Facet<T> f = model.template facet<T>(line, 0);
   const Vec3<T>& d = line.direction;
   const Vec3<T> n = facet_normal(f), shift = Vec3<T>{T(0.0), T(0.0), T(0.0)} - n;
@@ -30,6 +30,14 @@ std::optional<Decided> half_open(const AnyRay& ray, const Model& model, RaySigns
                  feature.value_or(Feature{FeatureKind::face, 0}),
                  true,
                  0};
+}
+
+template <class Answer, class Model>
+std::optional<Answer> answer_by(HitRule rule, const AnyRay& ray, const Model& model) {
+  if (rule == HitRule::closed) return answer_of_model<Answer>(ray, model);
+  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
+                          return half_open<T>(ShotLine<T>(ray), model, ask);
+                        }));
 }
 
 }  // namespace plumb::query

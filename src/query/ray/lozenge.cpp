@@ -10,13 +10,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "plumb/query/ray/hits.hpp"
-#include "query/ray/clip.hpp"
+#include "query/ray/answers.hpp"
 #include "query/ray/round_parts.hpp"
-#include "query/ray/seen_line.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 /// Numbers of zones are those of the faces: the plane's are 0 and 1, its two sides.
@@ -144,20 +141,22 @@ struct LozengeModel {
     const auto [w, e] = tube(line, zone);
     return from_axis(w, line.direction, e);
   }
+  template <class T>
+  std::optional<Decided> decide(const ShotLine<T>& line, RaySigns& ask) const;
 };
 
 template <class T>
-std::optional<Decided> decide_lozenge(const ShotLine<T>& line, const LozengeModel& model, RaySigns& ask) {
+std::optional<Decided> LozengeModel::decide(const ShotLine<T>& line, RaySigns& ask) const {
   const AnyRay& ray = line.ray;
   std::vector<std::uint32_t> entered;  // within reach, from a zone before
-  for (std::uint32_t i = 0; i < model.zones(); ++i) {
-    if (model.dimension == 2 && i == 1) continue;  // the other side of the plane
+  for (std::uint32_t i = 0; i < zones(); ++i) {
+    if (dimension == 2 && i == 1) continue;  // the other side of the plane
     Remaining<T> left(ray);
     bool some = true;
     std::uint32_t wall = 0;
-    for (const Linear<T>& c : model.zone(line, i)) some = some && left.cut(c, wall++, ask);
+    for (const Linear<T>& c : zone(line, i)) some = some && left.cut(c, wall++, ask);
     if (!some) continue;
-    const Quadratic<T> q = model.quadratic<T>(line, When{When::At::root, i, 0});
+    const Quadratic<T> q = quadratic(line, When{When::At::root, i, 0});
     const std::optional<When> when = enter(q, left, i, ask);
     if (!when) continue;
     if (when->at == When::At::quotient) {
@@ -170,9 +169,9 @@ std::optional<Decided> decide_lozenge(const ShotLine<T>& line, const LozengeMode
     std::uint32_t face = i;  // or the first whose zone holds the point as well
     const auto holds = [&](const Linear<T>& c) { return sign_at(c, *when, time_zero<T>(), &q, ask) != Sign::positive; };
     for (const std::uint32_t before : entered) {
-      if (face == i && !begins_in && std::ranges::all_of(model.zone(line, before), holds)) face = before;
+      if (face == i && !begins_in && std::ranges::all_of(zone(line, before), holds)) face = before;
     }
-    if (model.is_plane(face) && sign_at(model.height(line), *when, time_zero<T>(), &q, ask) == Sign::negative) face = 1;
+    if (is_plane(face) && sign_at(height(line), *when, time_zero<T>(), &q, ask) == Sign::negative) face = 1;
     return Decided{*when, {FeatureKind::face, face}, true, face};
   }
   return {};
@@ -190,29 +189,15 @@ LozengeModel lozenge_model(const Lozenge3& lozenge) {
   });
 }
 
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Lozenge3& lozenge) {
-  require<Answer>(ray, lozenge);
-  const LozengeModel model = lozenge_model(lozenge);
-  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
-                          return decide_lozenge<T>(ShotLine<T>(ray), model, ask);
-                        }));
-}
-
 }  // namespace
 
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Lozenge3& lozenge) {
-  const LozengeModel model = lozenge_model(lozenge);
-  RaySigns ask;
-  return seen_hit(line, model, decide_lozenge(line, model, ask));
+template <class F>
+auto with_model(const Lozenge3& lozenge, const RayQuestion&, const F& f) {
+  return f(lozenge_model(lozenge));
 }
 
-}  // namespace query
+template struct RayAnswers<Lozenge3>;
 
-std::optional<Hit> first_hit(const AnyRay& ray, const Lozenge3& lozenge) { return query::of<Hit>(ray, lozenge); }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Lozenge3& lozenge) {
-  return query::of<RayParameter>(ray, lozenge);
-}
-bool hits(const AnyRay& ray, const Lozenge3& lozenge) { return query::of<query::Decided>(ray, lozenge).has_value(); }
+template std::optional<SeenHit> seen_hit(const SeenLine&, const Lozenge3&);
 
-}  // namespace plumb
+}  // namespace plumb::query

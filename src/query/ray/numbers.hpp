@@ -248,6 +248,7 @@ std::optional<Answer> answer(const AnyRay& ray, const Model& model, const std::o
 /// Throws as query/body/figure_input.hpp says; the ray is a segment or a line where it was given as one.
 void require_ray(std::string_view function, const AnyRay& ray, const FigureView& shape);
 void require_ray(std::string_view function, const AnyRay& ray);
+void require_ray(std::string_view function, const AnyRay& ray, const Ellipsoid3& ellipsoid);
 
 inline bool is_sound(const AnyRay& ray) {
   return is_real(sum_of(ray.origin) + sum_of(ray.direction) + sum_of(ray.end));
@@ -263,9 +264,5 @@ template <class Answer>
 inline constexpr std::string_view function_of = std::is_same_v<Answer, Hit>            ? "first_hit"
                                                 : std::is_same_v<Answer, RayParameter> ? "first_hit_parameter"
                                                                                        : "hits";
-template <class Answer, Figure Shape>
-void require(const AnyRay& ray, const Shape& s) {
-  require_ray(function_of<Answer>, ray, s);
-}
 
 }  // namespace plumb::query

@@ -7,11 +7,9 @@
 
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
-#include "plumb/query/ray/hits.hpp"
-#include "query/ray/facets.hpp"
+#include "query/ray/answers.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 /// Corners of all chains; facet i is edge i, of two corners.
@@ -19,6 +17,7 @@ struct PolygonModel {
   std::vector<Point3> corners;
   std::vector<std::uint32_t> first;  // of each chain, and the end
   PlaneOfPoints plane;
+  bool holds_origin = false;  // of the ray, which begins there
 
   void add(const std::vector<Point3>& chain) {
     if (first.empty()) first.push_back(0);
@@ -59,6 +58,8 @@ struct PolygonModel {
     const Point3& v = corners[decided.feature.index];
     known = {v.x, v.y, v.z};
   }
+  template <class T>
+  std::optional<Decided> decide(const ShotLine<T>& line, RaySigns& ask) const;
 };
 
 /// The lowest vertex, else the lowest edge that holds the point p / w, seen from the origin.
@@ -107,24 +108,23 @@ Decided polygon_at_origin(const ShotLine<T>& line, const PolygonModel& model, Ra
   return {{}, rim(line, model, p, T(1.0), ask).value_or(Feature{FeatureKind::face, 0}), true, 0};
 }
 
-/// `begins_in`: does the polygon hold the origin?
 template <class T>
-std::optional<Decided> decide_polygon(const AnyRay& ray, const PolygonModel& model, bool begins_in, RaySigns& ask) {
-  const ShotLine<T> line(ray);
-  if (begins_in) return polygon_at_origin(line, model, ask);
+std::optional<Decided> PolygonModel::decide(const ShotLine<T>& line, RaySigns& ask) const {
+  const AnyRay& ray = line.ray;
+  if (holds_origin) return polygon_at_origin(line, *this, ask);
   if (has_no_direction(ray)) return {};
-  const Vec3<T>&d = line.direction, n = model.plane_normal<T>();
-  const T slope = dot(d, n), above = dot(line.from_origin(model.corners[model.plane.span[0]]), n);
+  const Vec3<T>&d = line.direction, n = plane_normal<T>();
+  const T slope = dot(d, n), above = dot(line.from_origin(corners[plane.span[0]]), n);
   const Sign way = ask(slope);
   if (way != Sign::zero) {
     const Time<T> time = with_positive_denominator(above, slope, way);
     if (!in_range(ray, time, ask)) return {};
     Feature feature{FeatureKind::face, 0};
     const auto on_rim =
-        may_pass_rim(line, model) ? rim(line, model, times(d, time.numerator), time.denominator, ask) : std::nullopt;
+        may_pass_rim(line, *this) ? rim(line, *this, times(d, time.numerator), time.denominator, ask) : std::nullopt;
     if (on_rim) {
       feature = *on_rim;
-    } else if (!winds_oddly(line, model, ask)) {
+    } else if (!winds_oddly(line, *this, ask)) {
       return {};
     }
     const bool at_zero = ask(above) == Sign::zero;
@@ -132,17 +132,18 @@ std::optional<Decided> decide_polygon(const AnyRay& ray, const PolygonModel& mod
   }
   if (ask(above) != Sign::zero) return {};
   Earliest<T> earliest;
-  for (std::uint32_t i = 0; i < model.edges(); ++i) meet_edge(line, model.facet(line, i), i, 0, earliest, ask);
+  for (std::uint32_t i = 0; i < edges(); ++i) meet_edge(line, facet(line, i), i, 0, earliest, ask);
   if (!earliest.found) return {};
   const auto& [time, when, inside] = *earliest.found;
-  const auto feature = rim(line, model, times(d, time.numerator), time.denominator, ask);
+  const auto feature = rim(line, *this, times(d, time.numerator), time.denominator, ask);
   return Decided{when, feature.value_or(Feature{FeatureKind::edge, when.index}), true, 0};
 }
 
-template <class Answer, class Polygon>
-std::optional<Answer> of_polygon(const AnyRay& ray, const Polygon& polygon) {
-  constexpr std::string_view function = function_of<Answer>;
-  require_ray(function, ray, view_of(polygon));
+}  // namespace
+
+template <class Polygon>
+PolygonModel polygon_model(const Polygon& polygon, const RayQuestion& asked) {
+  const auto& [function, ray] = asked;
   PolygonModel model;
   if constexpr (requires { polygon.outer; }) {
     model.add(polygon.outer.vertices);
@@ -152,28 +153,19 @@ std::optional<Answer> of_polygon(const AnyRay& ray, const Polygon& polygon) {
   }
   model.plane = plane_of_points(model.corners);
   require_planar(function, "polygon", model.plane);
-  const bool begins_in = (begins(ray) || has_no_direction(ray)) && contains(polygon, ray.origin);
-  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
-                          return decide_polygon<T>(ray, model, begins_in, ask);
-                        }));
+  model.holds_origin = (begins(ray) || has_no_direction(ray)) && contains(polygon, ray.origin);
+  return model;
+}
+template <class F>
+auto with_model(const Polygon3& polygon, const RayQuestion& asked, const F& f) {
+  return f(polygon_model(polygon, asked));
+}
+template <class F>
+auto with_model(const HoledPolygon3& polygon, const RayQuestion& asked, const F& f) {
+  return f(polygon_model(polygon, asked));
 }
 
-}  // namespace
-}  // namespace query
+template struct RayAnswers<Polygon3>;
+template struct RayAnswers<HoledPolygon3>;
 
-using query::of_polygon;
-
-std::optional<Hit> first_hit(const AnyRay& ray, const Polygon3& polygon) { return of_polygon<Hit>(ray, polygon); }
-std::optional<Hit> first_hit(const AnyRay& ray, const HoledPolygon3& polygon) { return of_polygon<Hit>(ray, polygon); }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Polygon3& polygon) {
-  return of_polygon<RayParameter>(ray, polygon);
-}
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const HoledPolygon3& polygon) {
-  return of_polygon<RayParameter>(ray, polygon);
-}
-bool hits(const AnyRay& ray, const Polygon3& polygon) { return of_polygon<query::Decided>(ray, polygon).has_value(); }
-bool hits(const AnyRay& ray, const HoledPolygon3& polygon) {
-  return of_polygon<query::Decided>(ray, polygon).has_value();
-}
-
-}  // namespace plumb
+}  // namespace plumb::query

@@ -1,10 +1,8 @@
 // Convex polyhedra, as the intersection of the halfspaces below their faces.
 #include "figure/basic/mesh_input.hpp"
-#include "plumb/query/ray/hits.hpp"
-#include "query/ray/facets.hpp"
+#include "query/ray/answers.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 struct PolyhedronModel {
@@ -77,25 +75,13 @@ struct PolyhedronModel {
   }
 };
 
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const ConvexPolyhedron3& polyhedron) {
-  require<Answer>(ray, polyhedron);
-  const PolyhedronModel model{polyhedron};
-  return answer<Answer>(ray, model, clip(ray, model));
-}
-
 }  // namespace
-}  // namespace query
 
-std::optional<Hit> first_hit(const AnyRay& ray, const ConvexPolyhedron3& polyhedron) {
-  return query::of<Hit>(ray, polyhedron);
-}
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const ConvexPolyhedron3& polyhedron) {
-  return query::of<RayParameter>(ray, polyhedron);
+template <class F>
+auto with_model(const ConvexPolyhedron3& polyhedron, const RayQuestion&, const F& f) {
+  return f(PolyhedronModel{polyhedron});
 }
 
-bool hits(const AnyRay& ray, const ConvexPolyhedron3& polyhedron) {
-  return query::of<query::Decided>(ray, polyhedron).has_value();
-}
+template struct RayAnswers<ConvexPolyhedron3>;
 
-}  // namespace plumb
+}  // namespace plumb::query

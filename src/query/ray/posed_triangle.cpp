@@ -18,24 +18,16 @@ struct PosedModel : FacetModel<PosedModel> {
   }
 };
 
-template <class Answer>
-std::optional<Answer> of_posed(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule) {
-  const PosedModel model(triangle);
-  if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
-  return answer<Answer>(ray, model,
-                        certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return half_open<T>(ray, model, ask); }));
-}
-
 }  // namespace
 
 std::optional<Hit> first_hit(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule) {
-  return of_posed<Hit>(ray, triangle, rule);
+  return answer_by<Hit>(rule, ray, PosedModel(triangle));
 }
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule) {
-  return of_posed<RayParameter>(ray, triangle, rule);
+  return answer_by<RayParameter>(rule, ray, PosedModel(triangle));
 }
 bool hits(const AnyRay& ray, const PosedTriangle3& triangle, HitRule rule) {
-  return of_posed<Decided>(ray, triangle, rule).has_value();
+  return answer_by<Decided>(rule, ray, PosedModel(triangle)).has_value();
 }
 Sign compare_hits(const AnyRay& ray, const PosedTriangle3& first, const PosedTriangle3& second, HitRule rule) {
   const auto order = *first_hit_parameter(ray, first, rule) <=> *first_hit_parameter(ray, second, rule);

@@ -5,11 +5,9 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/predicates.hpp"
-#include "plumb/query/ray/hits.hpp"
-#include "query/ray/facets.hpp"
+#include "query/ray/answers.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 constexpr std::array<std::array<std::size_t, 3>, 4> triples{{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
@@ -43,6 +41,8 @@ struct QuadrilateralModel {
   NormalForm<T> normal(const ShotLine<T>& line, const Decided&, RaySigns&) const {
     return still_normal(plane_normal(facet(line, 0)));
   }
+  template <class T>
+  std::optional<Decided> decide(const ShotLine<T>& line, RaySigns& ask) const;
 };
 
 /// Does the line, not parallel to the plane, pass strictly between the edges of a convex one?
@@ -74,12 +74,12 @@ Decided decided_at_origin(const Facet<T>& f, RaySigns& ask) {
 }
 
 template <class T>
-std::optional<Decided> decide_quadrilateral(const AnyRay& ray, const QuadrilateralModel& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
-  const Facet<T> f = model.facet(line, 0);
-  const Vec3<T>&d = line.direction, n = model.plane_normal(f);
+std::optional<Decided> QuadrilateralModel::decide(const ShotLine<T>& line, RaySigns& ask) const {
+  const AnyRay& ray = line.ray;
+  const Facet<T> f = facet(line, 0);
+  const Vec3<T>&d = line.direction, n = plane_normal(f);
   if (has_no_direction(ray)) {
-    if (!contains(model.quadrilateral, ray.origin)) return {};
+    if (!contains(quadrilateral, ray.origin)) return {};
     return decided_at_origin(f, ask);
   }
   const T slope = dot(d, n), above = dot(f.corners[0], n);
@@ -93,7 +93,7 @@ std::optional<Decided> decide_quadrilateral(const AnyRay& ray, const Quadrilater
     return Decided{{at_zero ? When::At::zero : When::At::quotient, 0, part_of(Meeting::plane, 0)}, *feature, true, 0};
   }
   if (ask(above) != Sign::zero) return {};  // of all corners on one line both are zero
-  if (begins(ray) && contains(model.quadrilateral, ray.origin)) return decided_at_origin(f, ask);
+  if (begins(ray) && contains(quadrilateral, ray.origin)) return decided_at_origin(f, ask);
   Earliest<T> earliest;
   for (std::size_t i = 0; i < 4; ++i) meet_edge(line, f, 0, i, earliest, ask);
   if (!earliest.found) return {};
@@ -116,25 +116,15 @@ std::size_t spanning(const Quadrilateral3& quadrilateral) {
   return 0;
 }
 
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Quadrilateral3& q) {
-  require<Answer>(ray, q);
-  if (orient3d(q.a, q.b, q.c, q.d) != Sign::zero)
-    require_planar(function_of<Answer>, "quadrilateral", plane_of_points(std::array{q.a, q.b, q.c, q.d}));
-  const QuadrilateralModel model{q, spanning(q)};
-  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
-                          return decide_quadrilateral<T>(ray, model, ask);
-                        }));
-}
-
 }  // namespace
-}  // namespace query
 
-std::optional<Hit> first_hit(const AnyRay& ray, const Quadrilateral3& q) { return query::of<Hit>(ray, q); }
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Quadrilateral3& q) {
-  return query::of<RayParameter>(ray, q);
+template <class F>
+auto with_model(const Quadrilateral3& q, const RayQuestion& asked, const F& f) {
+  if (orient3d(q.a, q.b, q.c, q.d) != Sign::zero)
+    require_planar(asked.function, "quadrilateral", plane_of_points(std::array{q.a, q.b, q.c, q.d}));
+  return f(QuadrilateralModel{q, spanning(q)});
 }
 
-bool hits(const AnyRay& ray, const Quadrilateral3& q) { return query::of<query::Decided>(ray, q).has_value(); }
+template struct RayAnswers<Quadrilateral3>;
 
-}  // namespace plumb
+}  // namespace plumb::query

@@ -1,7 +1,10 @@
-// A shape of the plane with straight edges is hit where one of them is first, or where the ray begins inside.
+// A shape of the plane with straight edges is hit where one of them is first, or where the ray begins inside.  Circles and
+// capsules are asked as the balls and capsules about them, oriented boxes as rectangles, k-DOPs as those of space: the
+// plane z = 0 rounds nothing.
 #include "plumb/query/ray/ray2.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -10,9 +13,10 @@
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/lifted.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
+
+using plumb::in_space, query::in_space;
 
 struct Edge2 {
   Point2 a, b;
@@ -189,8 +193,53 @@ class FirstEdge {
 };
 
 template <class Shape>
+FirstEdge first_edge(const AnyRay2& ray, const Shape& s) {
+  FirstEdge first(ray);
+  for (const Edge2& e : edges_of(s)) first.ask(e);
+  return first;
+}
+
+KDop3 in_space(const KDop2& k_dop) {
+  std::vector<Vector3> directions;
+  for (const Vector2& d : k_dop.directions.all()) directions.push_back(plumb::in_space(d));
+  return {Directions3(directions), k_dop.min, k_dop.max};
+}
+/// As a rectangle of the plane z = 0.
+Rectangle3 in_space(const Obb2& b) { return {in_space(b.center), {in_space(b.axes[0]), in_space(b.axes[1])}, b.half}; }
+
+/// Rounded once: doubling is exact, before or after.
+double twice_product(double half, double x) {
+  const double h = std::fabs(half);
+  return h < 1 ? h * 2 * x : h * x * 2;
+}
+
+/// Perpendicular to the first edge that holds the point and that the ray does not run along: only its axis matters.
+Vector2 normal_of(const AnyRay& ray, const Obb2& box, const Feature& at) {
+  const bool corner = at.kind == FeatureKind::vertex;
+  for (const std::uint32_t axis : {0u, 1u}) {
+    if (!corner && at.index / 2 != axis) continue;
+    const double half = axis == 0 ? box.half.x : box.half.y;
+    const Vector2& along = box.axes[axis];
+    const Sign across = certainly<RayWorlds>(
+        [&]<class T>(RayWorld<T>& ask) { return ask(area(direction_of<T>(ray), vector_of<T>(in_space(along)))); });
+    if (half == 0 || across == Sign::zero) continue;
+    const double way = across == Sign::positive ? -1 : 1;
+    return {way * twice_product(half, along.y) + 0.0, -way * twice_product(half, along.x) + 0.0};
+  }
+  return {0, 0};
+}
+
+template <class Shape>
+inline constexpr bool is_lifted = is_one_of(figure_kind<Shape>, {FigureKind::ball, FigureKind::capsule, FigureKind::obb,
+                                                                 FigureKind::k_dop});
+/// What has faces in space has edges in the plane.
+template <class Shape>
+inline constexpr bool has_faces_lifted = is_lifted<Shape> && !std::is_same_v<Shape, Obb2>;
+
+/// Asked of what space does not tell: what begins inside something straight, which has no normal there.
+template <class Shape>
 bool begins_inside(const AnyRay2& ray, const Shape& s) {
-  if constexpr (std::is_same_v<Shape, Segment2>) {
+  if constexpr (has_faces_lifted<Shape> || std::is_same_v<Shape, Segment2>) {
     return false;
   } else {
     const AnyRay lifted = in_space(ray);
@@ -198,58 +247,62 @@ bool begins_inside(const AnyRay2& ray, const Shape& s) {
   }
 }
 
+/// Of what has faces in space the feature and the normal are those of there.
 template <class Shape>
-FirstEdge first_edge(const AnyRay2& ray, const Shape& s) {
-  FirstEdge first(ray);
-  for (const Edge2& e : edges_of(s)) first.ask(e);
-  return first;
-}
-
-template <class Shape>
-std::optional<Hit2> hit_straight(const AnyRay2& ray, const Shape& s) {
-  require_ray2("first_hit", ray, s);
-  if (begins_inside(ray, s)) return Hit2{0, {ray.origin.x + 0.0, ray.origin.y + 0.0}, {FeatureKind::face, 0}, {0, 0}};
-  return first_edge(ray, s).hit();
-}
-template <class Shape>
-std::optional<RayParameter> parameter_straight(const AnyRay2& ray, const Shape& s) {
-  require_ray2("first_hit_parameter", ray, s);
-  if (begins_inside(ray, s)) return RayParameter{Rational(0.0)};
-  return first_edge(ray, s).parameter();
-}
-template <class Shape>
-bool hits_straight(const AnyRay2& ray, const Shape& s) {
-  require_ray2("hits", ray, s);
-  const AnyRay lifted = in_space(ray);
-  return begins_inside(ray, s) ||
-         std::ranges::any_of(edges_of(s), [&](const Edge2& e) { return decided(lifted, EdgeModel{e}).has_value(); });
+std::optional<Hit2> hit_lifted(const AnyRay& ray, const Shape& s) {
+  const auto hit = plumb::first_hit(ray, in_space(s));
+  if (!hit) return {};
+  Hit2 flat{hit->t, {hit->point.x, hit->point.y}, hit->feature, {hit->normal.x, hit->normal.y}};
+  if constexpr (has_faces_lifted<Shape>) {
+    flat.feature.kind = hit->feature.kind == FeatureKind::interior ? FeatureKind::face : FeatureKind::edge;
+  } else {
+    flat.normal = normal_of(ray, s, hit->feature);
+  }
+  return flat;
 }
 
 }  // namespace
-}  // namespace query
 
-using query::hit_straight, query::parameter_straight, query::hits_straight;
+template <class Shape>
+std::optional<Hit2> RayAnswers2<Shape>::first_hit(const AnyRay2& ray, const Shape& s) {
+  require_ray2("first_hit", ray, s);
+  if (begins_inside(ray, s)) return Hit2{0, {ray.origin.x + 0.0, ray.origin.y + 0.0}, {FeatureKind::face, 0}, {0, 0}};
+  if constexpr (is_lifted<Shape>) {
+    return hit_lifted(in_space(ray), s);
+  } else {
+    return first_edge(ray, s).hit();
+  }
+}
+template <class Shape>
+std::optional<RayParameter> RayAnswers2<Shape>::first_hit_parameter(const AnyRay2& ray, const Shape& s) {
+  require_ray2("first_hit_parameter", ray, s);
+  if constexpr (is_lifted<Shape>) {
+    return plumb::first_hit_parameter(in_space(ray), in_space(s));
+  } else {
+    return begins_inside(ray, s) ? RayParameter{Rational(0.0)} : first_edge(ray, s).parameter();
+  }
+}
+template <class Shape>
+bool RayAnswers2<Shape>::hits(const AnyRay2& ray, const Shape& s) {
+  require_ray2("hits", ray, s);
+  const AnyRay lifted = in_space(ray);
+  if constexpr (is_lifted<Shape>) {
+    return plumb::hits(lifted, in_space(s));
+  } else {
+    return begins_inside(ray, s) ||
+           std::ranges::any_of(edges_of(s), [&](const Edge2& e) { return decided(lifted, EdgeModel{e}).has_value(); });
+  }
+}
 
-std::optional<Hit2> first_hit(const AnyRay2& r, const Segment2& s) { return hit_straight(r, s); }
-std::optional<Hit2> first_hit(const AnyRay2& r, const Triangle2& s) { return hit_straight(r, s); }
-std::optional<Hit2> first_hit(const AnyRay2& r, const Aabb2& s) { return hit_straight(r, s); }
-std::optional<Hit2> first_hit(const AnyRay2& r, const Quadrilateral2& s) { return hit_straight(r, s); }
-std::optional<Hit2> first_hit(const AnyRay2& r, const Polygon2& s) { return hit_straight(r, s); }
-std::optional<Hit2> first_hit(const AnyRay2& r, const HoledPolygon2& s) { return hit_straight(r, s); }
+template struct RayAnswers2<Segment2>;
+template struct RayAnswers2<Triangle2>;
+template struct RayAnswers2<Aabb2>;
+template struct RayAnswers2<Quadrilateral2>;
+template struct RayAnswers2<Polygon2>;
+template struct RayAnswers2<HoledPolygon2>;
+template struct RayAnswers2<Circle2>;
+template struct RayAnswers2<Capsule2>;
+template struct RayAnswers2<Obb2>;
+template struct RayAnswers2<KDop2>;
 
-using Parameter = std::optional<RayParameter>;
-Parameter first_hit_parameter(const AnyRay2& r, const Segment2& s) { return parameter_straight(r, s); }
-Parameter first_hit_parameter(const AnyRay2& r, const Triangle2& s) { return parameter_straight(r, s); }
-Parameter first_hit_parameter(const AnyRay2& r, const Aabb2& s) { return parameter_straight(r, s); }
-Parameter first_hit_parameter(const AnyRay2& r, const Quadrilateral2& s) { return parameter_straight(r, s); }
-Parameter first_hit_parameter(const AnyRay2& r, const Polygon2& s) { return parameter_straight(r, s); }
-Parameter first_hit_parameter(const AnyRay2& r, const HoledPolygon2& s) { return parameter_straight(r, s); }
-
-bool hits(const AnyRay2& r, const Segment2& s) { return hits_straight(r, s); }
-bool hits(const AnyRay2& r, const Triangle2& s) { return hits_straight(r, s); }
-bool hits(const AnyRay2& r, const Aabb2& s) { return hits_straight(r, s); }
-bool hits(const AnyRay2& r, const Quadrilateral2& s) { return hits_straight(r, s); }
-bool hits(const AnyRay2& r, const Polygon2& s) { return hits_straight(r, s); }
-bool hits(const AnyRay2& r, const HoledPolygon2& s) { return hits_straight(r, s); }
-
-}  // namespace plumb
+}  // namespace plumb::query

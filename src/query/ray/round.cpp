@@ -4,12 +4,10 @@
 // parameters at which the ray passes from one zone to the next are quotients, and both quadratics agree there.
 #include <span>
 
-#include "plumb/query/ray/hits.hpp"
+#include "query/ray/answers.hpp"
 #include "query/ray/round_parts.hpp"
-#include "query/ray/seen_line.hpp"
 
-namespace plumb {
-namespace query {
+namespace plumb::query {
 namespace {
 
 /// Positive before a (zone 1) or beyond b (zone 2) along the axis.
@@ -18,26 +16,6 @@ Linear<T> beyond_end(const ShotLine<T>& line, const Point3& a, const Point3& b, 
   const Vec3<T> out = zone == 1 ? between<T>(b, a) : between<T>(a, b);
   return {dot(line.origin_from(zone == 1 ? a : b), out), dot(line.direction, out)};
 }
-
-struct BallModel {
-  Point3 center;
-  double radius;
-
-  static std::size_t size() { return 0; }
-  template <class T>
-  Linear<T> linear(const ShotLine<T>&, std::uint32_t, RaySigns&) const {
-    return {T(0.0), T(0.0)};
-  }
-  template <class T>
-  Quadratic<T> quadratic(const ShotLine<T>& line) const {
-    return ball_quadratic(line.origin_from(center), line.direction, radius);
-  }
-  static Feature feature(std::span<const std::uint32_t>) { return {FeatureKind::face, 0}; }
-  template <class T>
-  NormalForm<T> normal(const ShotLine<T>& line, const Decided&, RaySigns&) const {
-    return from_center(line.origin_from(center), line.direction);
-  }
-};
 
 /// Constraint 0: before a; 1: beyond b; 2: the side.
 struct CylinderModel {
@@ -81,11 +59,13 @@ struct CapsuleModel {
     if (decided.normal != 0) return from_center(w, line.direction);
     return from_axis(w, line.direction, between<T>(capsule.a, capsule.b));
   }
+  template <class T>
+  std::optional<Decided> decide(const ShotLine<T>& line, RaySigns& ask) const;
 };
 
 template <class T>
-std::optional<Decided> decide_capsule(const ShotLine<T>& line, const CapsuleModel& model, RaySigns& ask) {
-  const auto& [a, b, radius] = model.capsule;
+std::optional<Decided> CapsuleModel::decide(const ShotLine<T>& line, RaySigns& ask) const {
+  const auto& [a, b, radius] = capsule;
   const std::array<Linear<T>, 3> beyond{Linear<T>{T(0.0), T(0.0)}, beyond_end(line, a, b, 1),
                                         beyond_end(line, a, b, 2)};
   const auto within = [&](std::uint32_t zone) {
@@ -100,7 +80,7 @@ std::optional<Decided> decide_capsule(const ShotLine<T>& line, const CapsuleMode
     const bool some =
         zone == 0 ? left.cut(beyond[1], 1, ask) && left.cut(beyond[2], 2, ask) : left.cut(within(zone), zone, ask);
     if (!some) continue;
-    const Quadratic<T> q = model.quadratic<T>(line, When{When::At::root, zone, 0});
+    const Quadratic<T> q = quadratic(line, When{When::At::root, zone, 0});
     const std::optional<When> when = enter(q, left, zone, ask);
     if (!when) continue;
     if (when->at != When::At::root && ask(q.constant) == Sign::negative)
@@ -112,77 +92,27 @@ std::optional<Decided> decide_capsule(const ShotLine<T>& line, const CapsuleMode
   return {};
 }
 
-template <class Answer>
-std::optional<Answer> of_ball(const AnyRay& ray, const Point3& center, double radius) {
-  const BallModel model{center, radius};
-  return answer<Answer>(ray, model, clip(ray, model));
-}
-
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Sphere3& sphere) {
-  require<Answer>(ray, sphere);
-  return of_ball<Answer>(ray, sphere.center, sphere.radius);
-}
-
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Cylinder3& cylinder) {
-  require<Answer>(ray, cylinder);
-  if (cylinder.a == cylinder.b) return of_ball<Answer>(ray, cylinder.a, cylinder.radius);
-  const CylinderModel model{cylinder};
-  return answer<Answer>(ray, model, clip(ray, model));
-}
-
-template <class Answer>
-std::optional<Answer> of(const AnyRay& ray, const Capsule3& capsule) {
-  require<Answer>(ray, capsule);
-  if (capsule.a == capsule.b) return of_ball<Answer>(ray, capsule.a, capsule.radius);
-  const CapsuleModel model{capsule};
-  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
-                          return decide_capsule<T>(ShotLine<T>(ray), model, ask);
-                        }));
-}
-
-std::optional<SeenHit> seen_ball(const SeenLine& line, const Point3& center, double radius) {
-  const BallModel model{center, radius};
-  RaySigns ask;
-  return seen_hit(line, model, clip(line, model, ask));
-}
-
 }  // namespace
 
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Sphere3& sphere) {
-  return seen_ball(line, sphere.center, sphere.radius);
+template <class F>
+auto with_model(const Sphere3& s, const RayQuestion&, const F& f) {
+  return f(BallModel{s.center, s.radius});
 }
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Cylinder3& cylinder) {
-  if (cylinder.a == cylinder.b) return seen_ball(line, cylinder.a, cylinder.radius);
-  const CylinderModel model{cylinder};
-  RaySigns ask;
-  return seen_hit(line, model, clip(line, model, ask));
+template <class F>
+auto with_model(const Cylinder3& s, const RayQuestion&, const F& f) {
+  return s.a == s.b ? f(BallModel{s.a, s.radius}) : f(CylinderModel{s});
 }
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Capsule3& capsule) {
-  if (capsule.a == capsule.b) return seen_ball(line, capsule.a, capsule.radius);
-  const CapsuleModel model{capsule};
-  RaySigns ask;
-  return seen_hit(line, model, decide_capsule(line, model, ask));
+template <class F>
+auto with_model(const Capsule3& s, const RayQuestion&, const F& f) {
+  return s.a == s.b ? f(BallModel{s.a, s.radius}) : f(CapsuleModel{s});
 }
 
-}  // namespace query
+template struct RayAnswers<Sphere3>;
+template struct RayAnswers<Cylinder3>;
+template struct RayAnswers<Capsule3>;
 
-std::optional<Hit> first_hit(const AnyRay& ray, const Sphere3& sphere) { return query::of<Hit>(ray, sphere); }
-std::optional<Hit> first_hit(const AnyRay& ray, const Capsule3& capsule) { return query::of<Hit>(ray, capsule); }
-std::optional<Hit> first_hit(const AnyRay& ray, const Cylinder3& cylinder) { return query::of<Hit>(ray, cylinder); }
+template std::optional<SeenHit> seen_hit(const SeenLine&, const Sphere3&);
+template std::optional<SeenHit> seen_hit(const SeenLine&, const Cylinder3&);
+template std::optional<SeenHit> seen_hit(const SeenLine&, const Capsule3&);
 
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Sphere3& sphere) {
-  return query::of<RayParameter>(ray, sphere);
-}
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Capsule3& capsule) {
-  return query::of<RayParameter>(ray, capsule);
-}
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Cylinder3& cylinder) {
-  return query::of<RayParameter>(ray, cylinder);
-}
-
-bool hits(const AnyRay& ray, const Capsule3& capsule) { return query::of<query::Decided>(ray, capsule).has_value(); }
-bool hits(const AnyRay& ray, const Cylinder3& cylinder) { return query::of<query::Decided>(ray, cylinder).has_value(); }
-
-}  // namespace plumb
+}  // namespace plumb::query

@@ -7,6 +7,8 @@
 // Source: RTCD 5.3.2, 5.3.7.
 #pragma once
 
+#include <span>
+
 #include "query/ray/numbers.hpp"
 
 namespace plumb::query {
@@ -40,5 +42,25 @@ NormalForm<T> from_axis(const Vec3<T>& w, const Vec3<T>& d, const Vec3<T>& e) {
   const T ee = length2(e);
   return {times(w, ee) - times(e, dot(w, e)), times(d, ee) - times(e, dot(d, e)), ee, true};
 }
+
+struct BallModel {
+  Point3 center;
+  double radius;
+
+  static std::size_t size() { return 0; }
+  template <class T>
+  Linear<T> linear(const ShotLine<T>&, std::uint32_t, RaySigns&) const {
+    return {T(0.0), T(0.0)};
+  }
+  template <class T>
+  Quadratic<T> quadratic(const ShotLine<T>& line) const {
+    return ball_quadratic(line.origin_from(center), line.direction, radius);
+  }
+  static Feature feature(std::span<const std::uint32_t>) { return {FeatureKind::face, 0}; }
+  template <class T>
+  NormalForm<T> normal(const ShotLine<T>& line, const Decided&, RaySigns&) const {
+    return from_center(line.origin_from(center), line.direction);
+  }
+};
 
 }  // namespace plumb::query

@@ -23,7 +23,7 @@ struct SeenHit {
 
 /// `decided` is of the model, in rational numbers.
 template <class Model>
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Model& model, const std::optional<Decided>& decided) {
+std::optional<SeenHit> seen_hit_of(const SeenLine& line, const Model& model, const std::optional<Decided>& decided) {
   if (!decided) return {};
   const Vec3<Rational> none = vector_of<Rational>(Vector3{0, 0, 0});
   SeenHit hit{parameter_of(line, model, *decided), decided->feature, none, none};
@@ -36,12 +36,12 @@ std::optional<SeenHit> seen_hit(const SeenLine& line, const Model& model, const 
   return hit;
 }
 
-/// Of figures that have been looked at.
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Sphere3& sphere);
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Capsule3& capsule);
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Cylinder3& cylinder);
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Cone3& cone);
-std::optional<SeenHit> seen_hit(const SeenLine& line, const Lozenge3& lozenge);
+template <class Shape>
+concept SeenRound = SeenByRays<Shape, 3> && !FlatFigure<Shape>;
+
+/// Of figures that have been looked at, in space; query/ray/answers.hpp.
+template <SeenRound Shape>
+std::optional<SeenHit> seen_hit(const SeenLine& line, const Shape& s);
 
 /// In the plane: what has faces in space has edges there.
 template <class Shape>

@@ -34,11 +34,8 @@ struct TriangleModel : FacetModel<TriangleModel> {
 
 template <class Answer>
 std::optional<Answer> of(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
-  require<Answer>(ray, triangle);
-  const TriangleModel model(triangle);
-  if (rule == HitRule::closed) return answer<Answer>(ray, model, meet(ray, model));
-  return answer<Answer>(ray, model,
-                        certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) { return half_open<T>(ray, model, ask); }));
+  require_ray(function_of<Answer>, ray, triangle);
+  return answer_by<Answer>(rule, ray, TriangleModel(triangle));
 }
 
 /// What doubles tell for certain is so for every ray nearby.

@@ -1,12 +1,14 @@
-// Pairs in general position: what doubles tell of them names what they have in common.
-#include "query/section/intersection_quick.hpp"
-
+// Pairs that need no sets of bounds: what doubles tell of those in general position, and few signs of most others, names
+// what they have in common.  Where signs are zero that leave a choice, the general way has to tell.
 #include "figure/basic/plane_of_points.hpp"
-#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/predicates.hpp"
+#include "plumb/query/section/intersection.hpp"
+#include "query/body/figure_input.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/quick2.hpp"
 #include "query/section/corner_name.hpp"
 #include "query/section/flat_outline.hpp"
+#include "query/section/meet.hpp"
 
 namespace plumb::query::meeting {
 namespace {
@@ -140,8 +142,6 @@ bool is_coplanar(const Triangle3& t, const Triangle3& u) {
   return on(u.a) && on(u.b) && on(u.c);
 }
 
-}  // namespace
-
 std::optional<Intersection2> quick(const Segment2& s, const Segment2& t) {
   const auto told = query::by_doubles(s, t);
   if (!told) return {};
@@ -186,6 +186,11 @@ std::optional<Intersection2> by_signs(const Segment2& s, const Segment2& t) {
   return at<Intersection2>(a == Sign::zero ? t.a : b == Sign::zero ? t.b : c == Sign::zero ? s.a : s.b);
 }
 
+std::optional<Intersection2> by_signs(const Triangle2& t, const Triangle2& u) {
+  if (plumb::relate(t, u) == Relation::disjoint) return Intersection2{};
+  return {};
+}
+
 std::optional<Intersection3> by_signs(const Segment3& s, const Triangle3& t) {
   if (plumb::relate(s, t) == Relation::disjoint) return Intersection3{};
   const Sign a = query::orient3d(t.a, t.b, t.c, s.a), b = query::orient3d(t.a, t.b, t.c, s.b);
@@ -223,4 +228,28 @@ std::optional<Intersection3> by_signs(const Triangle3& t, const Aabb3& b) {
   return {};
 }
 
+/// By doubles, whatever they are; then by exact signs, of real numbers.
+template <class Common, class A, class B>
+Common intersection_of(const A& a, const B& b) {
+  if constexpr (requires { quick(a, b); }) {
+    if (auto told = quick(a, b)) return std::move(*told);
+  }
+  query::require_figures("intersection", a, b);
+  if (auto told = by_signs(a, b)) return std::move(*told);
+  return meet(convex_set(a), convex_set(b));
+}
+
+}  // namespace
 }  // namespace plumb::query::meeting
+
+namespace plumb {
+
+using query::meeting::intersection_of;
+
+Intersection2 intersection(const Segment2& a, const Segment2& b) { return intersection_of<Intersection2>(a, b); }
+Intersection2 intersection(const Triangle2& a, const Triangle2& b) { return intersection_of<Intersection2>(a, b); }
+Intersection3 intersection(const Segment3& a, const Triangle3& b) { return intersection_of<Intersection3>(a, b); }
+Intersection3 intersection(const Triangle3& a, const Triangle3& b) { return intersection_of<Intersection3>(a, b); }
+Intersection3 intersection(const Triangle3& a, const Aabb3& b) { return intersection_of<Intersection3>(a, b); }
+
+}  // namespace plumb

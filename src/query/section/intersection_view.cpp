@@ -1,5 +1,5 @@
 // Figures whose types were forgotten: each as a convex set, and what two of them have in common.
-#include "plumb/query/section/flat.hpp"
+#include "plumb/query/section/intersection.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/convex/convex_view.hpp"
 #include "query/section/meet.hpp"

@@ -2,11 +2,15 @@
 #include "plumb/query/section/planes.hpp"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "arith/exact_number.hpp"
 #include "certify/exact_coordinates.hpp"
+#include "plumb/query/section/posed.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/body/posed_input.hpp"
+#include "query/convex/posed_set.hpp"
 
 namespace plumb {
 namespace {
@@ -37,19 +41,31 @@ RationalTriple unit(std::size_t axis) {
   return e;
 }
 
-/// The equations of the plane: one, more where three points span none.
+/// The equations of p and all that the lines span there: one of a plane, more of less, none of all.
+Equations equations(const RationalTriple& p, std::span<const RationalTriple> lines) {
+  RationalTriple along{}, normal{};
+  for (const RationalTriple& line : lines) {
+    if (is_zero(along)) {
+      along = line;
+    } else if (is_zero(normal)) {
+      normal = cross(along, line);
+    } else if (sgn(through(normal, line)[3]) != 0) {
+      return {};
+    }
+  }
+  if (!is_zero(normal)) return {through(normal, p)};
+  Equations rows;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rows.push_back(through(is_zero(along) ? unit(axis) : cross(along, unit(axis)), p));
+  return rows;
+}
 Equations equations(const AnyPlane3& plane) {
   if (const auto* p = std::get_if<Plane3>(&plane)) {
     return {{mpq_class(p->normal.x), mpq_class(p->normal.y), mpq_class(p->normal.z), mpq_class(p->offset)}};
   }
   const auto& t = std::get<ThreePointPlane3>(plane);
-  const RationalTriple a = of(t.a), u = of(t.b) - a, v = of(t.c) - a, n = cross(u, v);
-  if (!is_zero(n)) return {through(n, a)};
-  const RationalTriple& d = is_zero(u) ? v : u;
-  Equations rows;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    rows.push_back(through(is_zero(d) ? unit(axis) : cross(d, unit(axis)), a));
-  return rows;
+  const RationalTriple a = of(t.a);
+  return equations(a, std::array{of(t.b) - a, of(t.c) - a});
 }
 
 struct Reduced {
@@ -131,6 +147,26 @@ FlatIntersection intersection(const AnyPlane3& a, const AnyPlane3& b) {
   for (Row& row : equations(b)) rows.push_back(std::move(row));
   return solution(reduced(std::move(rows)));
 }
+
+namespace query {
+namespace {
+
+Equations equations_of_image(const PosedView& plane) {
+  const FlatSet s = image(posed_set(plane));
+  if (s.points.empty()) return {{0, 0, 0, 1}};
+  return equations(s.points[0], s.lines);
+}
+
+}  // namespace
+
+FlatIntersection posed_planes(const PosedView& a, const PosedView& b) {
+  require_posed("intersection", a, b);
+  Equations rows = equations_of_image(a);
+  for (Row& row : equations_of_image(b)) rows.push_back(std::move(row));
+  return solution(reduced(std::move(rows)));
+}
+
+}  // namespace query
 
 ThreePlanes intersection(const AnyPlane3& a, const AnyPlane3& b, const AnyPlane3& c) {
   require_plane("a", a);

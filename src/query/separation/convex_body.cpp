@@ -76,10 +76,10 @@ std::string_view spoken(const BodyView& body) { return body.is_hull() ? "hull" :
 
 Body body_of(std::string_view function, std::string_view name, const BodyView& body) {
   const CoreCorners corners = sound_corners(function, name, body);
-  if (body.is_hull()) return {corners, body.radius};
-  const double radius = radius_of(body.figure);
+  const double radius = radius_of(body);
   if (radius == 0 || body.pose.stands()) return {corners, radius};
-  const PosedView posed{body.figure, body.pose};
+  const Sphere3 around{{0, 0, 0}, radius};  // each place of a hull
+  const PosedView posed{body.is_hull() ? view_of(around) : body.figure, body.pose};
   return {corners, radius_of_image(function, posed, posed_set(posed))};
 }
 

@@ -64,7 +64,7 @@ std::optional<CoreCorners> CoreCorners::of(const BodyView& body) {
   return c;
 }
 
-void CoreCorners::take_pose(const PoseView& pose) {
+void CoreCorners::take_pose(const AnyPoseView& pose) {
   pose_ = pose, stands_ = pose.stands();
   std::visit(
       [this]<class By>(const By& by) {

@@ -96,7 +96,7 @@ class CoreCorners {
   /// Which way an edge leads by what is given, without arithmetic: a multiple above zero of an axis under the pose, and
   /// of the axis that is zero where it has no length; nothing where two points differ in several coordinates.
   [[nodiscard]] std::optional<Vector3> axis_of_edge(std::size_t k) const;
-  [[nodiscard]] const PoseView& pose() const { return pose_; }
+  [[nodiscard]] const AnyPoseView& pose() const { return pose_; }
   /// A box along the axes of space, before its pose?
   [[nodiscard]] bool is_aligned() const { return aligned_; }
   /// Neither posed, nor moved, nor scaled?
@@ -221,14 +221,14 @@ class CoreCorners {
     arith::Vec<T> p = arith::vec<T>(points_[0]);
     for (std::size_t k = 0; k < ways_; ++k) {
       if ((i >> k & 1) != 0) {
-        p = p + way_at_rest<T>(k);
+        p = arith::sparse_sum(p, way_at_rest<T>(k));
       } else if (both_) {
-        p = p - way_at_rest<T>(k);
+        p = arith::sparse_difference(p, way_at_rest<T>(k));
       }
     }
     return p;
   }
-  void take_pose(const PoseView& pose);
+  void take_pose(const AnyPoseView& pose);
   template <class Points>
   void take(const Points& points) {
     for (const Point3& p : points) points_[size_++] = p;
@@ -240,7 +240,7 @@ class CoreCorners {
 
   const ConvexPolyhedron3* polyhedron_ = nullptr;
   std::span<const Point3> list_;
-  PoseView pose_{}, beside_{};
+  AnyPoseView pose_{}, beside_{};
   std::array<Vector3, 3> columns_;
   Vector3 translation_;
   double weight_ = 1, beside_weight_ = 1;

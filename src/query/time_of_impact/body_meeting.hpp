@@ -18,13 +18,13 @@
 namespace plumb::query {
 
 struct BodyMotion {
-  BodyShape shape;
+  PosedView shape;
   const Vector3* by;
   const std::array<Vector3, 3>* columns = nullptr;  // of a matrix that maps `by`, where there is one
 };
 
 /// How shapes lie to one another at time 0.
-using StartRelation = Relation (*)(const BodyShape& a, const BodyShape& b);
+using StartRelation = Relation (*)(const PosedView& a, const PosedView& b);
 
 /// Of two motions, that of errors in their numbers.
 std::optional<Root> body_contact_time(std::string_view function, const BodyMotion& a, const BodyMotion& b,

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "figure/basic/finite_parts.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/time_of_impact/brief_contact.hpp"
 #include "query/time_of_impact/contact_filter.hpp"
@@ -27,10 +26,7 @@ template <class A, class B>
 void require_valid(std::string_view function, const Moving<A>& a, const Moving<B>& b, const ContactOptions& options) {
   query::require_figure(function, "a.from", a.from), query::require_figure(function, "a.to", a.to);
   query::require_figure(function, "b.from", b.from), query::require_figure(function, "b.to", b.to);
-  require_finite_parts(function, {"options.separation"}, options.separation);
-  if (options.separation < 0)
-    throw InvalidShape(std::string(function).append(
-        ": options.separation is negative; give a distance, zero for figures that are to touch"));
+  query::moving::require_separation(function, options.separation);
 }
 
 std::optional<TimedContact> exact_first_contact(const Motion& m, double separation) {

@@ -70,13 +70,14 @@ auto contact_rank(const Contact& c) {
 }
 
 /// Pieces that overlap meet by their features as well, where the polygon only touches.
-Relation never_overlapping(const BodyShape&, const BodyShape&) { return Relation::touching; }
+Relation never_overlapping(const PosedView&, const PosedView&) { return Relation::touching; }
 
 /// The lowest features that meet of two pieces that overlap at the start.
 template <class P, class Q>
 Contact lowest_at_start(const P& p, const Q& q) {
   constexpr Vector3 at_rest{0, 0, 0};
-  const auto m = first_meeting("first_contact", {&p, &at_rest}, {&q, &at_rest}, never_overlapping);
+  const auto m =
+      first_meeting("first_contact", {posed_view(p), &at_rest}, {posed_view(q), &at_rest}, never_overlapping);
   return {0, m->of_a, m->of_b};
 }
 

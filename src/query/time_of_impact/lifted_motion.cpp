@@ -47,14 +47,13 @@ RigidChain lifted_pose(const RigidChain2& flat) {
   return chain;
 }
 
-using AnyPose = std::variant<Pose, RigidPose, RigidChain>;
-AnyPose lifted_pose(const PoseView& flat) {
+AnyPose lifted_pose(const AnyPoseView& flat) {
   return std::visit(
       []<class By>(const By& by) -> AnyPose {
         if constexpr (requires { lifted_pose(*by); }) {
           return lifted_pose(*by);
         } else {
-          return identity_pose;
+          return AnyPose();
         }
       },
       flat.by);
@@ -74,7 +73,7 @@ LiftedMotion::LiftedMotion(const PosedMotion& flat)
 PosedMotion LiftedMotion::motion() const {
   PosedMotion in_space{{}, &by_};
   in_space.figure = std::visit([](const auto& s) { return PosedView{view_of(s)}; }, shape_);
-  in_space.figure.pose = std::visit([](const auto& by) { return PoseView(&by); }, pose_);
+  in_space.figure.pose = pose_;
   return in_space;
 }
 

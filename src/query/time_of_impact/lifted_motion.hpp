@@ -24,7 +24,7 @@ class LiftedMotion {
  private:
   FigureKind kind_;
   std::variant<Point3, Segment3, Triangle3, Polygon3, HoledPolygon3, Aabb3, Obb3, Sphere3, Capsule3> shape_;
-  std::variant<Pose, RigidPose, RigidChain> pose_;
+  AnyPose pose_;
   Vector3 by_;
 };
 

@@ -2,6 +2,9 @@
 
 #include "arith/big_rounding.hpp"
 #include "arith/exact_number.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
+#include "query/body/boundary.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/time_of_impact/vector_length.hpp"
 
 namespace plumb::query {
@@ -150,63 +153,33 @@ std::optional<AxisEntry> exact_entry(const MovingBody<BigDyadic>& a, const Movin
 
 namespace {
 
-struct BoxAround {
-  FeatureBox operator()(const Point3* p) const { return {{p->x, p->y, p->z}, {p->x, p->y, p->z}}; }
-  FeatureBox operator()(const Segment3* s) const { return joined((*this)(&s->a), (*this)(&s->b)); }
-  FeatureBox operator()(const Triangle3* t) const {
-    return joined(joined((*this)(&t->a), (*this)(&t->b)), (*this)(&t->c));
-  }
-  FeatureBox operator()(const PosedTriangle3* t) const {
-    const auto corners = posed_corners<Running>(*t);
-    return joined(joined(box_of(corners[0]), box_of(corners[1])), box_of(corners[2]));
-  }
-  FeatureBox operator()(const PosedView* v) const {
-    const auto body = moving_body<Running>(v);
-    if (body.vertices.empty()) return (*this)(static_cast<const Plane3*>(nullptr));
-    const auto over_weight = [&](const Running& x) { return body.has_weight ? quotient(x, body.weight) : x; };
-    const auto box_at = [&](const Vec3<Running>& p) {
-      return box_of(Vec3<Running>{over_weight(p.x), over_weight(p.y), over_weight(p.z)});
-    };
-    FeatureBox box = box_at(body.vertices[0]);
-    for (const Vec3<Running>& p : body.vertices) box = joined(box, box_at(p));
-    const double reach = over_weight(body.reach).upper();
-    return grown(box, {reach, reach, reach});
-  }
-  FeatureBox operator()(const Aabb3* b) const { return joined((*this)(&b->min), (*this)(&b->max)); }
-  FeatureBox operator()(const Obb3* b) const {
-    const auto reach = [&](double x, double y, double z) {
-      const auto part = [](double along, double half) { return magnitude(Running(along) * Running(half)); };
-      return (part(x, b->half.x) + part(y, b->half.y) + part(z, b->half.z)).upper();
-    };
-    const auto& [u, v, w] = b->axes;
-    return grown((*this)(&b->center), {reach(u.x, v.x, w.x), reach(u.y, v.y, w.y), reach(u.z, v.z, w.z)});
-  }
-  FeatureBox operator()(const ConvexPolyhedron3* p) const {
-    FeatureBox box = (*this)(p->mesh.vertices.data());
-    for (const Point3& v : p->mesh.vertices) box = joined(box, (*this)(&v));
-    return box;
-  }
-  FeatureBox operator()(const Sphere3* s) const {
-    return grown((*this)(&s->center), {s->radius, s->radius, s->radius});
-  }
-  FeatureBox operator()(const Capsule3* c) const {
-    return grown(joined((*this)(&c->a), (*this)(&c->b)), {c->radius, c->radius, c->radius});
-  }
-  FeatureBox operator()(const Plane3*) const {
-    constexpr double all = Interval::infinity;
-    return {{-all, -all, -all}, {all, all, all}};
-  }
-
-  static FeatureBox grown(FeatureBox box, const std::array<double, 3>& by) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = Interval::sum_down(box.low[k], -by[k]), box.high[k] = Interval::sum_up(box.high[k], by[k]);
-    }
-    return box;
-  }
-};
+FeatureBox grown(FeatureBox box, double by) {
+  for (std::size_t k = 0; k < 3; ++k)
+    box.low[k] = Interval::sum_down(box.low[k], -by), box.high[k] = Interval::sum_up(box.high[k], by);
+  return box;
+}
 
 }  // namespace
 
-FeatureBox bounding_box(const BodyShape& shape) { return std::visit(BoxAround{}, shape); }
+FeatureBox bounding_box(const PosedView& v) {
+  constexpr double all = Interval::infinity;
+  std::optional<WeightedPose<Running>> pose;
+  if (!v.pose.stands()) pose = weighted_pose<Running>(v.pose);
+  const auto box_at = [&](const Vec3<Running>& p) {
+    if (!pose) return box_of(p);
+    const Vec3<Running> q = pose->image(p);
+    if (!pose->has_weight) return box_of(q);
+    return box_of(Vec3<Running>{quotient(q.x, pose->weight), quotient(q.y, pose->weight), quotient(q.z, pose->weight)});
+  };
+  std::optional<FeatureBox> box;
+  double reach = 0;
+  with_figure(v.figure, [&]<class Shape>(const Shape& s) {
+    if constexpr (has_boundary<Shape>)
+      for_each_corner<Running>(s, [&](const Vec3<Running>& p) { box = box ? joined(*box, box_at(p)) : box_at(p); });
+    if constexpr (requires { s.radius; })
+      reach = is_rigid(v.pose) || s.radius == 0 ? s.radius : (Running(s.radius) * Running(*scale_of(v.pose))).upper();
+  });
+  return box ? grown(*box, reach) : FeatureBox{{-all, -all, -all}, {all, all, all}};
+}
 
 }  // namespace plumb::query

@@ -41,6 +41,6 @@ std::optional<AxisEntry> exact_entry(const MovingBody<BigDyadic>& a, const Movin
                                      const Vec3<BigDyadic>& velocity, const TimeAxis& axis);
 
 /// The box around a shape, not rounded inward.
-FeatureBox bounding_box(const BodyShape& shape);
+FeatureBox bounding_box(const PosedView& shape);
 
 }  // namespace plumb::query

@@ -17,25 +17,21 @@ class Maker {
  public:
   template <Figure Shape>
   requires has_boundary<Shape> &&(figure_dimension<Shape> == 3 && !is_one_of(figure_kind<Shape>, polygon_kinds)) void
-  operator()(const Shape* s) {
-    tell_boundary<T>(*s, *this);
+  operator()(const Shape& s) {
+    tell_boundary<T>(s, *this);
     if constexpr (figure_kind<Shape> == FigureKind::ball) made.vertex_features = {{FeatureKind::face, 0}};
-    if constexpr (requires { s->radius; }) {
-      made.reach = T(s->radius);
-      made.swept = s->radius > 0;
+    if constexpr (requires { s.radius; }) {
+      made.reach = T(s.radius);
+      made.swept = s.radius > 0;
     }
   }
-  void operator()(const PosedTriangle3* t) {
-    pose_ = weighted_pose<T>(&t->pose);
-    (*this)(&t->shape);
-  }
-  void operator()(const PosedView* v) {
-    if (!v->pose.stands()) pose_ = weighted_pose<T>(v->pose);
-    with_figure(v->figure, [this](const auto& s) {
-      if constexpr (requires { (*this)(&s); }) (*this)(&s);
+  void operator()(const PosedView& v) {
+    if (!v.pose.stands()) pose_ = weighted_pose<T>(v.pose);
+    with_figure(v.figure, [this](const auto& s) {
+      if constexpr (requires { (*this)(s); }) (*this)(s);
     });
     if (!pose_) return;
-    if (made.swept && !is_rigid(v->pose)) made.reach = made.reach * T(*scale_of(v->pose));
+    if (made.swept && !is_rigid(v.pose)) made.reach = made.reach * T(*scale_of(v.pose));
     if (pose_->has_weight) made.reach = made.reach * pose_->weight;
     made.weight = pose_->weight, made.has_weight = pose_->has_weight;
     for (auto& face : made.faces) {
@@ -47,8 +43,8 @@ class Maker {
       face.offset = face.offset * dot(u, cross(v2, w)) + dot(face.normal, pose_->translation);
     }
   }
-  void operator()(const Plane3* p) {
-    made.faces.push_back({{}, vector_of<T>(p->normal), T(p->offset), {FeatureKind::face, 0}});
+  void operator()(const Plane3& p) {
+    made.faces.push_back({{}, vector_of<T>(p.normal), T(p.offset), {FeatureKind::face, 0}});
   }
 
   MovingBody<T> made;
@@ -77,7 +73,7 @@ class Maker {
 
 }  // namespace
 
-std::optional<double> scale_of(const PoseView& pose) {
+std::optional<double> scale_of(const AnyPoseView& pose) {
   if (is_rigid(pose)) return 1;
   const auto square = squared_scale(exact_map(pose), 3);
   if (!square) return {};
@@ -87,36 +83,24 @@ std::optional<double> scale_of(const PoseView& pose) {
 }
 
 template <class T>
-MovingBody<T> moving_body(const BodyShape& shape) {
+MovingBody<T> moving_body(const PosedView& shape) {
   Maker<T> maker;
-  std::visit(maker, shape);
+  maker(shape);
   return std::move(maker.made);
 }
-template MovingBody<Running> moving_body(const BodyShape&);
-template MovingBody<Ball> moving_body(const BodyShape&);
-template MovingBody<BigDyadic> moving_body(const BodyShape&);
+template MovingBody<Running> moving_body(const PosedView&);
+template MovingBody<Ball> moving_body(const PosedView&);
+template MovingBody<BigDyadic> moving_body(const PosedView&);
 
-bool check_body(std::string_view function, std::string_view name, const BodyShape& shape) {
-  return std::visit(
-      [&](const auto* s) {
-        if constexpr (
-            !requires { s->pose; } && !requires { s->figure; })
-          require_figure(function, name, *s);
-        if constexpr (requires { s->figure; }) {
-          return with_figure(s->figure, [](const auto& given) {
-            if constexpr (requires { given.normal.z, given.offset; }) {
-              return given.normal != Vector3{0, 0, 0} || given.offset == 0;
-            } else {
-              return !is_nothing(given);
-            }
-          });
-        } else if constexpr (requires { s->normal; }) {
-          return s->normal != Vector3{0, 0, 0} || s->offset == 0;
-        } else {
-          return !is_nothing(*s);
-        }
-      },
-      shape);
+bool check_body(std::string_view function, std::string_view name, const PosedView& shape) {
+  if (shape.pose.stands()) require_figure(function, name, shape.figure);
+  return with_figure(shape.figure, []<class Shape>(const Shape& s) {
+    if constexpr (std::is_same_v<Shape, Plane3>) {
+      return s.normal != Vector3{0, 0, 0} || s.offset == 0;
+    } else {
+      return !is_nothing(s);
+    }
+  });
 }
 
 }  // namespace plumb::query

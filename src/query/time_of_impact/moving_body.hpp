@@ -10,26 +10,15 @@
 
 #include <cstdint>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "arith/running_error.hpp"
 #include "plumb/arith/interval.hpp"
-#include "plumb/figure/basic/box.hpp"
-#include "plumb/figure/basic/convex_polyhedron.hpp"
-#include "plumb/figure/basic/linear.hpp"
-#include "plumb/figure/basic/plane.hpp"
-#include "plumb/figure/basic/round.hpp"
-#include "plumb/figure/basic/simplex.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 #include "plumb/query/body/posed.hpp"
 #include "query/body/posed_corners.hpp"
 
 namespace plumb::query {
-
-using BodyShape =
-    std::variant<const Point3*, const Segment3*, const Triangle3*, const Aabb3*, const Obb3*, const ConvexPolyhedron3*,
-                 const Sphere3*, const Capsule3*, const Plane3*, const PosedTriangle3*, const PosedView*>;
 
 template <class T>
 struct MovingBody {
@@ -74,15 +63,15 @@ Vec3<T> bring_to_one_weight(MovingBody<T>& a, MovingBody<T>& b, const Vec3<T>& v
 }
 
 template <class T>
-MovingBody<T> moving_body(const BodyShape& shape);
+MovingBody<T> moving_body(const PosedView& shape);
 /// What a pose multiplies lengths by in space, where that is one number for all, and a double.
-std::optional<double> scale_of(const PoseView& pose);
-extern template MovingBody<Running> moving_body(const BodyShape&);
-extern template MovingBody<Ball> moving_body(const BodyShape&);
-extern template MovingBody<BigDyadic> moving_body(const BodyShape&);
+std::optional<double> scale_of(const AnyPoseView& pose);
+extern template MovingBody<Running> moving_body(const PosedView&);
+extern template MovingBody<Ball> moving_body(const PosedView&);
+extern template MovingBody<BigDyadic> moving_body(const PosedView&);
 
 /// Throws NonFinite and InvalidShape, naming the function and the part; says whether the shape has a point at all.  Of
 /// a posed shape finite numbers are taken for granted, and of a round one or a plane a pose that leaves it one.
-bool check_body(std::string_view function, std::string_view name, const BodyShape& shape);
+bool check_body(std::string_view function, std::string_view name, const PosedView& shape);
 
 }  // namespace plumb::query

@@ -97,7 +97,7 @@ struct MovingPolygon {
     return cross(chains.vertices[chains.span[1]] - from, chains.vertices[chains.span[2]] - from);
   }
 
-  PoseView pose;
+  AnyPoseView pose;
   const Vector3* by;
   SpannedChains chains;
   std::vector<ChainEdge> edges;
@@ -107,7 +107,7 @@ struct MovingPolygon {
   void add_hull() {
     for (const ChainEdge& e : edges) {
       const PosedMotion edge = motion_of(e);
-      const auto of_edge = moving_body<Running>(&edge.figure);
+      const auto of_edge = moving_body<Running>(edge.figure);
       hull.vertices.push_back(of_edge.vertices[0]);
       hull.weight = of_edge.weight, hull.has_weight = of_edge.has_weight;
     }
@@ -158,7 +158,7 @@ void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& fe
 }
 
 /// Edges and bodies that overlap meet by their features as well: the polygon does not overlap them.
-Relation never_inside(const BodyShape&, const BodyShape&) { return Relation::touching; }
+Relation never_inside(const PosedView&, const PosedView&) { return Relation::touching; }
 
 /// While what is around the polygon may meet the body.
 TimeWindow window_of(MovingBody<Running> body, const Vector3& by, const MovingPolygon& polygon) {
@@ -197,14 +197,14 @@ Relation start_relation(std::string_view function, const PosedView& a, const Pos
 /// Of a polygon that does not overlap the body at the start.
 void see_body(EarliestMeeting& earliest, std::string_view function, const PosedMotion& body,
               const MovingPolygon& polygon) {
-  if (window_of(moving_body<Running>(&body.figure), *body.by, polygon).empty()) return;
+  if (window_of(moving_body<Running>(body.figure), *body.by, polygon).empty()) return;
   for (const ChainEdge& e : polygon.edges) {
     const PosedMotion edge = polygon.motion_of(e);
-    auto m = first_meeting(function, {&body.figure, body.by}, {&edge.figure, edge.by}, never_inside);
+    auto m = first_meeting(function, {body.figure, body.by}, {edge.figure, edge.by}, never_inside);
     if (m) earliest.see({std::move(m->time), m->of_a, e.feature(m->of_b)});
   }
   if (polygon.has_inside()) {
-    const auto exact = moving_body<BigDyadic>(&body.figure);
+    const auto exact = moving_body<BigDyadic>(body.figure);
     const Exact3 by = exactly(*body.by) - exactly(*polygon.by);
     for (std::size_t i = 0; i < exact.vertices.size(); ++i)
       see_face(earliest, exact_vertex(exact, i), exact.vertex_features[i], over_weight(exact.reach, exact), by,
@@ -236,7 +236,7 @@ bool face_holds(const MovingBody<BigDyadic>& body, const MovingBody<BigDyadic>::
 /// overlaps what it goes through; one that bounds no inside goes through a face, or stays inside.
 void see_pierced(EarliestMeeting& earliest, std::string_view function, const PosedMotion& of_body,
                  const MovingPolygon& polygon) {
-  const auto body = moving_body<BigDyadic>(&of_body.figure);
+  const auto body = moving_body<BigDyadic>(of_body.figure);
   for (const auto& face : body.faces) {
     const Exact3 normal = exactly(face.normal);
     for (const ChainEdge& e : polygon.edges) {
@@ -269,10 +269,10 @@ class PolygonPair {
       : function_(function), a_(a), second_(function, b) {
     if (is_polygon(a.figure.figure)) {
       first_.emplace(function, a);
-    } else if (!check_body(function, "the body", &a.figure)) {
+    } else if (!check_body(function, "the body", a.figure)) {
       return;
     }
-    const TimeWindow window = window_of(first_ ? first_->hull : moving_body<Running>(&a.figure), *a.by, second_);
+    const TimeWindow window = window_of(first_ ? first_->hull : moving_body<Running>(a.figure), *a.by, second_);
     may_meet_ = !window.empty();
     if (may_meet_ && !(window.from > 0)) start_ = start_relation(function, a.figure, b.figure);
   }

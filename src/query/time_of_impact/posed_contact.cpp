@@ -8,19 +8,22 @@ namespace {
 
 constexpr Vector3 stands_still{0, 0, 0};
 
-Relation posed_at_start(const BodyShape& a, const BodyShape& b) {
-  return relate(*std::get<const PosedTriangle3*>(a), *std::get<const PosedTriangle3*>(b));
+PosedTriangle3 triangle_of(const PosedView& v) {
+  return {*static_cast<const Triangle3*>(v.figure.shape), *std::get<const Pose*>(v.pose.by)};
 }
+
+Relation posed_at_start(const PosedView& a, const PosedView& b) { return relate(triangle_of(a), triangle_of(b)); }
 
 }  // namespace
 
 std::optional<Contact> first_contact(const PosedTriangle3& a, const Posed<Vector3>& by, const PosedTriangle3& b) {
-  return body_contact("first_contact", {&a, &by.shape, &by.pose.columns}, {&b, &stands_still}, posed_at_start);
+  return body_contact("first_contact", {posed_view(a), &by.shape, &by.pose.columns}, {posed_view(b), &stands_still},
+                      posed_at_start);
 }
 
 std::optional<Root> first_contact_time(const PosedTriangle3& a, const Posed<Vector3>& by, const PosedTriangle3& b) {
-  return body_contact_time("first_contact_time", {&a, &by.shape, &by.pose.columns}, {&b, &stands_still},
-                           posed_at_start);
+  return body_contact_time("first_contact_time", {posed_view(a), &by.shape, &by.pose.columns},
+                           {posed_view(b), &stands_still}, posed_at_start);
 }
 
 }  // namespace plumb::query

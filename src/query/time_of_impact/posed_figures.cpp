@@ -16,9 +16,7 @@
 namespace plumb::query {
 namespace {
 
-Relation posed_figures_at_start(const BodyShape& a, const BodyShape& b) {
-  return relate_posed("first_contact", *std::get<const PosedView*>(a), *std::get<const PosedView*>(b));
-}
+Relation posed_figures_at_start(const PosedView& a, const PosedView& b) { return relate_posed("first_contact", a, b); }
 
 /// Leaves the pose what is round round, and a plane a plane?
 void require_even(std::string_view function, const PosedView& v) {
@@ -38,8 +36,8 @@ void require_even(std::string_view function, const PosedView& v) {
 /// In the terms of bodies, looked at.
 struct PosedBodies {
   PosedBodies(std::string_view function, const PosedMotion& of_a, const PosedMotion& of_b)
-      : a{&of_a.figure, of_a.by},
-        b{&of_b.figure, of_b.by},
+      : a{of_a.figure, of_a.by},
+        b{of_b.figure, of_b.by},
         some_polygon(is_polygon(of_a.figure.figure) || is_polygon(of_b.figure.figure)) {
     require_posed(function, of_a.figure, of_b.figure);
     require_even(function, of_a.figure);

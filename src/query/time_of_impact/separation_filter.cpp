@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "figure/basic/finite_parts.hpp"
+#include "plumb/arith/error.hpp"
 #include "query/time_of_impact/moving_hulls.hpp"
 #include "query/time_of_impact/separation_time.hpp"
 #include "query/time_of_impact/vector_length.hpp"
@@ -149,6 +151,13 @@ class Filter {
 };
 
 }  // namespace
+
+void require_separation(std::string_view function, double separation) {
+  require_finite_parts(function, {"options.separation"}, separation);
+  if (separation < 0)
+    throw InvalidShape(std::string(function).append(
+        ": options.separation is negative; give a distance, zero for figures that are to touch"));
+}
 
 ContactVerdict separation_filter(const ContactQuestion& question, double separation) {
   return question.kind == MovingKind::edge_edge ? Filter<Edges>(question, separation).answer()

@@ -10,10 +10,15 @@
 // Cost: some 100 ns a piece; one where they stay apart, few near a contact; a few us for a time.
 #pragma once
 
+#include <string_view>
+
 #include "plumb/query/time_of_impact/motion.hpp"
 #include "query/time_of_impact/contact_filter.hpp"
 
 namespace plumb::query::moving {
+
+/// Throws by the name options.separation.
+void require_separation(std::string_view function, double separation);
 
 ContactVerdict separation_filter(const ContactQuestion& question, double separation);
 

@@ -16,8 +16,8 @@ Relation relation_of(const A& a, const B& b) {
 Relation relation_of(const Point3& p, const Point3& q) { return p == q ? Relation::overlapping : Relation::disjoint; }
 
 template <class A, class B>
-Relation start_relation(const BodyShape& a, const BodyShape& b) {
-  return relation_of(*std::get<const A*>(a), *std::get<const B*>(b));
+Relation start_relation(const PosedView& a, const PosedView& b) {
+  return relation_of(*static_cast<const A*>(a.figure.shape), *static_cast<const B*>(b.figure.shape));
 }
 
 template <ContactWanted asked, class A, class B>
@@ -48,15 +48,17 @@ quick::Answer quick_answer(const Translating<A>& a, const Translating<B>& b) {
 // What is not told quickly, out of the way of what is.
 template <class A, class B>
 [[gnu::noinline]] std::optional<Root> time_of(const Translating<A>& a, const Translating<B>& b) {
-  return body_contact_time("first_contact_time", {&a.shape, &a.by}, {&b.shape, &b.by}, start_relation<A, B>);
+  return body_contact_time("first_contact_time", {posed_view(a.shape), &a.by}, {posed_view(b.shape), &b.by},
+                           start_relation<A, B>);
 }
 template <class A, class B>
 [[gnu::noinline]] std::optional<Contact> contact_of(const Translating<A>& a, const Translating<B>& b) {
-  return body_contact("first_contact", {&a.shape, &a.by}, {&b.shape, &b.by}, start_relation<A, B>);
+  return body_contact("first_contact", {posed_view(a.shape), &a.by}, {posed_view(b.shape), &b.by},
+                      start_relation<A, B>);
 }
 template <class A, class B>
 [[gnu::noinline]] bool meet(const Translating<A>& a, const Translating<B>& b) {
-  return bodies_meet("intersects", {&a.shape, &a.by}, {&b.shape, &b.by}, start_relation<A, B>);
+  return bodies_meet("intersects", {posed_view(a.shape), &a.by}, {posed_view(b.shape), &b.by}, start_relation<A, B>);
 }
 
 }  // namespace

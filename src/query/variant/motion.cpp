@@ -37,8 +37,53 @@ Answer asked_of_motion(std::string_view question, const AnyMotion& a, const AnyM
   });
 }
 
+bool is_posed_motion(const CornersInMotion& m) { return is_posed_view(m.from) || is_posed_view(m.to); }
+
+template <class Answer, class ByTypes, class AsPosed>
+Answer asked_of_corners(std::string_view question, const CornersInMotion& a, const CornersInMotion& b,
+                        const ContactOptions& options, const ByTypes& by_types, const AsPosed& as_posed) {
+  for (const CornersInMotion* m : {&a, &b}) {
+    const FigureView &from = m->from.figure, &to = m->to.figure;
+    if (from.kind != to.kind || from.dimension != to.dimension)
+      refuse_pair(std::string(question) + " of what is Moving from one to the other", from, to);
+  }
+  require_answer(moving_pairs, question, a.from.figure, b.from.figure);
+  if (is_posed_motion(a) || is_posed_motion(b)) return as_posed(a, b, options);
+  return asked_by_types<Answer>(
+      question, a.from.figure, b.from.figure,
+      [&]<class A, class B>(const A& x, const B& y) requires requires {
+        by_types(Moving<A>{x, x}, Moving<B>{y, y}, options);
+      } {
+        const Moving<A> from_to{x, *static_cast<const A*>(a.to.figure.shape)};
+        return by_types(from_to, Moving<B>{y, *static_cast<const B*>(b.to.figure.shape)}, options);
+      });
+}
+
 }  // namespace
 
+bool any_corners_meet(const CornersInMotion& a, const CornersInMotion& b, const ContactOptions& options) {
+  return asked_of_corners<bool>(
+      "intersects", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
+        intersects(x, y, o);
+      } { return intersects(x, y, o); },
+      corners_meet);
+}
+std::optional<Contact> any_corner_contact(const CornersInMotion& a, const CornersInMotion& b,
+                                          const ContactOptions& options) {
+  return asked_of_corners<std::optional<Contact>>(
+      "first_contact", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
+        first_contact(x, y, o);
+      } { return first_contact(x, y, o); },
+      corner_contact);
+}
+std::optional<Root> any_corner_contact_time(const CornersInMotion& a, const CornersInMotion& b,
+                                            const ContactOptions& options) {
+  return asked_of_corners<std::optional<Root>>(
+      "first_contact_time", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
+        first_contact_time(x, y, o);
+      } { return first_contact_time(x, y, o); },
+      corner_contact_time);
+}
 std::optional<Contact> any_first_contact(const AnyMotion& a, const AnyMotion& b) {
   return asked_of_motion<std::optional<Contact>>(
       "first_contact", a, b, [](const auto& x, const auto& y) { return first_contact(x, y); }, posed_contact);

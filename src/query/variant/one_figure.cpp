@@ -1,3 +1,4 @@
+#include "plumb/figure/aabb/posed_aabb.hpp"
 #include "plumb/figure/k_dop/k_dop.hpp"
 #include "plumb/query/variant/questions.hpp"
 
@@ -45,11 +46,18 @@ double any_support_value(const AnyFigure& figure, const Vector3& direction, Roun
 }
 
 Aabb3 any_fit_aabb(const AnyFigure& figure) {
-  if (figure.is_posed()) refuse_figure("fit_aabb under a pose", figure.figure());
   return visit(
-      [&](const auto& s) -> Aabb3 {
-        if constexpr (requires { fit_aabb(s); }) return box_in_space(fit_aabb(s));
-        refuse_figure("fit_aabb", figure.figure());
+      [&figure](const auto& s) {
+        return std::visit(
+            [&]<class By>(const By& pose) -> Aabb3 {
+              if constexpr (std::is_same_v<By, std::monostate>) {
+                if constexpr (requires { fit_aabb(s); }) return box_in_space(fit_aabb(s));
+              } else if constexpr (requires { figure::box::fitted_image(s, pose); }) {
+                return box_in_space(figure::box::fitted_image(s, pose));
+              }
+              refuse_figure(figure.is_posed() ? "fit_aabb under a pose" : "fit_aabb", figure.figure());
+            },
+            figure.pose());
       },
       figure);
 }

@@ -3,6 +3,8 @@
 #include "arith/exact_number.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "plumb/query/convex/containment.hpp"
+#include "query/body/posed_input.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/separation/told_pair.hpp"
 
 namespace plumb::query {
@@ -46,6 +48,16 @@ RoundedFigure rounded_figure(const PlacesAndRadius& of) {
   return {hull, of.radius};
 }
 
+RoundedFigure posed_figure(std::string_view function, const RoundedFigure& s, const AnyPose& pose) {
+  RoundedFigure there{s.figure.under(pose), s.radius};
+  if (s.radius > 0 && !is_rigid(there.figure.view().pose)) {
+    throw UnevenPose(std::string(function) +
+                     ": all within a radius of a hull is that of its image under a rigid pose " + "alone; " +
+                     std::string(rigid_instead));
+  }
+  return there;
+}
+
 PosedView require_kind(std::string_view function, const RoundedView& s) {
   if (s.radius == 0) return s.figure;
   throw Unsupported(std::string(function) + " has no answer for a hull of places that are not on one line, and all " +
@@ -77,7 +89,7 @@ bool rounded_contains(const RoundedView& outer, const RoundedView& inner) {
   with_figure(inner.figure.figure, [&]<class Shape>(const Shape& s) {
     const auto holds = [&](const Point3& p) {
       const Sphere3 ball{p, inner.radius};
-      all = all && any_contains(outer.figure, {view_of(ball)});
+      all = all && any_contains(outer.figure, {view_of(ball), inner.figure.pose});
     };
     if constexpr (std::is_same_v<Shape, Polygon3>) {
       for (const Point3& p : s.vertices) holds(p);

@@ -1,30 +1,17 @@
 #include "plumb/query/body/intersection_pairs.hpp"
-#include "plumb/query/section/flat.hpp"
 #include "plumb/query/section/intersection.hpp"
 #include "plumb/query/section/posed.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/variant/asked.hpp"
 
 namespace plumb::query {
-namespace {
-
-bool is_plane(const PosedView& v) {
-  return is_one_of(v.figure.kind, {FigureKind::plane, FigureKind::three_point_plane});
-}
-bool is_solid(const PosedView& v) {
-  return is_one_of(v.figure.kind,
-                   {FigureKind::halfspace, FigureKind::tetrahedron, FigureKind::aabb, FigureKind::obb,
-                    FigureKind::k_dop, FigureKind::halfspace_intersection, FigureKind::convex_polyhedron});
-}
-
-}  // namespace
 
 AnyIntersection any_intersection(const PosedView& a, const PosedView& b) {
   require_answer(intersection_pairs, "intersection", a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) {
     if (a.figure.dimension == 2) return posed_intersection2(a, b);
-    if (is_solid(a) && is_solid(b)) return posed_solid(a, b);
-    if (is_plane(a) && is_plane(b)) refuse_pair("intersection of planes under poses", a.figure, b.figure);
+    if (is_solid_kind(a.figure.kind) && is_solid_kind(b.figure.kind)) return posed_solid(a, b);
+    if (is_plane_kind(a.figure.kind) && is_plane_kind(b.figure.kind)) return posed_planes(a, b);
     return posed_intersection3(a, b);
   }
   if (b.figure.kind < a.figure.kind) return any_intersection(b, a);

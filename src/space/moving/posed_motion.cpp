@@ -95,8 +95,8 @@ class MotionBetweenPoses {
     };
     using query::moving::MovingKind;
     return {{edges ? MovingKind::edge_edge : MovingKind::vertex_triangle, at(mesh_.from), at(mesh_.to)},
-            posed_.from,
-            posed_.to};
+            {&posed_.from, &posed_.to},
+            {&posed_.from, &posed_.to}};
   }
 
   const PosedMovingMesh& posed_;

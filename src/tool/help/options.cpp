@@ -74,7 +74,7 @@ int run_help(const HelpOptions& o, const CLI::App& program, const std::vector<Co
       std::ranges::find_if(commands, [&](const Command& c) { return c.parser->get_name() == o.command; });
   if (!o.command.empty() && named == commands.end()) {
     const std::string other = o.instead(o.command);
-    throw Error(fmt::format("there is no command {}{}; '{} help' lists them", printable(o.command),
+    throw Error(fmt::format("there is no command {}{}; '{} help' lists the commands", printable(o.command),
                             other.empty() ? suggestion(o.command, names_of(commands)) : ": " + other,
                             program.get_name()));
   }

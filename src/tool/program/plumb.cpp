@@ -36,7 +36,9 @@ std::string instead_of(const std::string& word) {
                              hulls =
                                  "'plumb convex' answers for the convex hulls of meshes; the library makes hulls "
                                  "(convex_hull, docs/hulls.md)",
-                             python = "there is no Python module yet; every command that answers writes --json";
+                             python =
+                                 "there is no Python module yet; what is asked of meshes and "
+                                 "tables is answered as JSON too (--json)";
 
   // What words begin with that mean the same: "booleans", "boolean-union", "Booleans".
   constexpr std::array<std::pair<std::string_view, std::string_view>, 46> stems{{

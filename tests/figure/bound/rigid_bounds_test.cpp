@@ -136,6 +136,9 @@ TEST(RigidBounds, BoxesOfPosedShapesAreTheLeastOfDoubles) {
     check(Segment3{a, b}, {exact(a), exact(b)}, 0);
     check(Triangle3{a, b, c}, {exact(a), exact(b), exact(c)}, 0);
     check(Polygon3{{a, b, c}}, {exact(a), exact(b), exact(c)}, 0);
+    check(HoledPolygon3{{{a, b, c}}, {{{c, a, b}}}}, {exact(a), exact(b), exact(c)}, 0);
+    const Aabb3 upright = fit_aabb(Triangle3{a, b, c});
+    expect_least_box(fit_aabb(Posed{upright, pose}), pose, corners_of(upright), about);
     check(Sphere3{a, radius}, {exact(a)}, radius);
     check(Capsule3{a, b, radius}, {exact(a), exact(b)}, radius);
     const Numbers p = exact(a), e = exact(u), f = exact(v), g = exact(w);

@@ -236,7 +236,7 @@ void add_told_apart(std::set<std::string>& to) {
   add(pair_cases::pair_name<A, A>(), Ask::template holds<A, A>, Ask::template holds<A, Under<A>>);
   add(pair_cases::pair_name<A, A>(), Ask::template holds<A, A>, Ask::template holds<Under<A>, Under<A>>);
 }
-/// Each figure with itself and a box, in space also with a plane.
+/// Each figure with itself and a box, in space also with a plane and a triangle.
 template <class Ask, class... As, class... Bs>
 std::set<std::string> told_apart(Types<As...>, Types<Bs...>) {
   std::set<std::string> pairs;
@@ -248,7 +248,7 @@ std::set<std::string> told_apart(Types<As...>, Types<Bs...>) {
 template <class Ask>
 std::string row_of_posed(const std::string& question) {
   std::set<std::string> pairs = told_apart<Ask>(pair_cases::Plane{}, Types<Aabb2>{});
-  pairs.merge(told_apart<Ask>(pair_cases::Space{}, Types<Aabb3, Plane3>{}));
+  pairs.merge(told_apart<Ask>(pair_cases::Space{}, Types<Aabb3, Plane3, Triangle3>{}));
   std::string row = "| posed, " + question + " | every pair of its table";
   for (const std::string& pair : pairs) row += "; " + pair;
   return row + " |";
@@ -259,7 +259,8 @@ TEST(PairTable, PosedFiguresAreAskedAsThePageSays) {
               {row_of_posed<AskRelatable>("`relate`, `intersects`"), row_of_posed<AskContaining>("`contains`"),
                row_of_posed<AskMeasurable>("`closest_points`, `distance`"), row_of_posed<AskHittable>("`first_hit`"),
                row_of_posed<AskIntersectable>("`intersection`"),
-               row_of_posed<AskTranslating>("`first_contact` of `Translating`")});
+               row_of_posed<AskTranslating>("`first_contact` of `Translating`"),
+               row_of_posed<AskMoving>("`first_contact` of `Moving`")});
 }
 
 TEST(PairTable, LeavesOutWhatThePageSays) {

@@ -207,8 +207,8 @@ TEST(Contact, OfEveryKindIsWhatExactSetsHaveInCommon) {
         AnyBody a = first(m), b = second(m);
         if (m.below(4) == 0) a = under(a, pair_cases::whole_pose(m));
         if (m.below(4) == 0) b = under(b, pair_cases::regular_pose(m));
-        if (m.below(4) == 0) a = under_rigid(a, pair_cases::rigid_pose(m, m.below(2) == 0));
-        if (m.below(4) == 0) b = under_rigid(b, pair_cases::rigid_pose(m, m.below(2) == 0));
+        if (m.below(4) == 0) a = under_rigid(a, pair_cases::rigid_pose(m));
+        if (m.below(4) == 0) b = under_rigid(b, pair_cases::rigid_pose(m));
         expect_contact(a, b, m, counts, name_of(a.view) + " and " + name_of(b.view) + " " + m.about());
       });
     }

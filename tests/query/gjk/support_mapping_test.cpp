@@ -11,6 +11,7 @@
 #include "plumb/query/gjk/gjk.hpp"
 #include "plumb/query/penetration/penetration_bounds.hpp"
 #include "query/body/posed_cases.hpp"
+#include "query/body/rigid_cases.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
 #include "query/separation/told_pair.hpp"
@@ -159,7 +160,7 @@ void expect_of_one(const GjkBounds& a, const GjkBounds& b, double within) {
 TEST(SupportMappings, OfPosedFiguresAreThoseOfTheirImages) {
   // A turn by integers, and lengths times five: the image of a cylinder and of a cone is one in doubles.
   const Pose turn{{{{0, 3, 4}, {5, 0, 0}, {0, 4, -3}}}, {1, -2, 7}};
-  const auto image = [&](const Point3& p) { return query::rounded_image(turn, p); };
+  const auto image = [&](const Point3& p) { return rounded_image(turn, p); };
   const Cylinder3 pipe{{0, 0, 0}, {1, 2, 4}, 1}, turned_pipe{image(pipe.a), image(pipe.b), 5};
   const Cone3 cone{{0, 0, 9}, {0, 1, 6}, 2}, turned_cone{image(cone.apex), image(cone.base), 10};
   const Aabb3 box{{40, 50, 10}, {90, 90, 20}};
@@ -193,28 +194,52 @@ TEST(SupportMappings, OfPosedPolytopesBoundTheirExactDistance) {
   shape_cases::on_shapes(35'002, battery::sanitized ? 20 : 80, [&](Material& m) {
     std::vector<Point3> p, q;
     for (std::size_t n = 1 + m.below(6); n-- > 0;) p.push_back(m.point3()), q.push_back(m.probe3());
-    const Pose pose = m.below(3) == 0 ? pair_cases::regular_pose(m) : pair_cases::whole_pose(m);
-    if (m.below(3) == 0) q.push_back(query::rounded_image(pose, p[0]));  // about touching
-    const Posed a{VertexHull3{p}, pose};
-    const VertexHull3 b{q};
-    GjkBounds bounds;
-    try {
-      bounds = gjk_bounds(a, b);
-    } catch (const BeyondDoubles&) {
-      return;
-    }
-    const double d = gjk_distance(a, b);
-    EXPECT_LE(bounds.lower, d) << m.about();
-    EXPECT_GE(bounds.upper, d) << m.about();
-    EXPECT_NE(bounds.told, d > 0 ? GjkTold::meeting : GjkTold::disjoint) << m.about();
-    disjoint += bounds.told == GjkTold::disjoint, meet += bounds.told == GjkTold::meeting;
-    undecided += bounds.told == GjkTold::undecided;
-    close += bounds.upper - bounds.lower <= 1e-9 * d;
+    const auto check = [&](const auto& pose) {
+      if (m.below(3) == 0) q.push_back(rounded_image(pose, p[0]));  // about touching
+      const Posed a{VertexHull3{p}, pose};
+      const VertexHull3 b{q};
+      GjkBounds bounds;
+      try {
+        bounds = gjk_bounds(a, b);
+      } catch (const BeyondDoubles&) {
+        return;
+      }
+      const double d = gjk_distance(a, b);
+      EXPECT_LE(bounds.lower, d) << m.about();
+      EXPECT_GE(bounds.upper, d) << m.about();
+      EXPECT_NE(bounds.told, d > 0 ? GjkTold::meeting : GjkTold::disjoint) << m.about();
+      disjoint += bounds.told == GjkTold::disjoint, meet += bounds.told == GjkTold::meeting;
+      undecided += bounds.told == GjkTold::undecided;
+      close += bounds.upper - bounds.lower <= 1e-9 * d;
+    };
+    check(m.below(3) == 0 ? pair_cases::regular_pose(m) : pair_cases::whole_pose(m));
+    std::visit(check, pair_cases::rigid_case(m).space);
   });
   std::printf("%d disjoint, %d close, %d meet, %d undecided\n", disjoint, close, meet, undecided);
   EXPECT_GT(disjoint, battery::sanitized ? 2 : 15);
   EXPECT_GT(close, battery::sanitized ? 2 : 15);
   EXPECT_GT(undecided + meet, battery::sanitized ? 1 : 5);
+}
+
+TEST(SupportMappings, OfRoundFiguresKeepTheirDistanceUnderARigidPose) {
+  const RigidPose turn{{3, 1, -2, 0.5}, {4, -5, 6}};
+  const RigidChain chain{{turn, {{1, 0, 0, 1}, {0.25, 0, 0}}}};
+  const Cylinder3 pipe{{0, 0, 0}, {1, 2, 4}, 1};
+  const Cone3 cone{{0, 0, 9}, {0, 1, 6}, 2};
+  const Sphere3 ball{{7, 0, 2}, 1};
+  const auto expect = [&](const auto& a, const auto& b) {
+    const GjkBounds plain = gjk_bounds(a, b, {.within = 1e-12});
+    const auto under = [&](const auto& pose) {
+      expect_of_one(gjk_bounds(Posed{a, pose}, Posed{b, pose}, {.within = 1e-12}), plain, 1e-11);
+      const AnyFigure x = Posed{a, pose}, y = Posed{b, pose};
+      const GjkBounds any = gjk_bounds(x, y, {.within = 1e-12});
+      const GjkBounds of_kinds = gjk_bounds(Posed{a, pose}, Posed{b, pose}, {.within = 1e-12});
+      EXPECT_EQ(any.lower, of_kinds.lower);
+      EXPECT_EQ(any.upper, of_kinds.upper);
+    };
+    under(turn), under(chain);
+  };
+  expect(pipe, ball), expect(ball, cone), expect(pipe, cone);
 }
 
 TEST(SupportMappings, RefusePosesThatAreNone) {

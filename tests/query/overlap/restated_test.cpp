@@ -95,6 +95,27 @@ RestatedSeen expect_slabs(std::uint64_t start) {
 TEST(RestatedPairs, SlabsOfSpace) { expect_slabs<Slab3, Space>(5201); }
 TEST(RestatedPairs, SlabsOfThePlane) { expect_slabs<Slab2, Plane>(5301); }
 
+/// The corners of a box by its widths or by its center, in rationals.
+template <class Box>
+query::FlatSet corners_of_box(const Box& box) {
+  const auto exact = [](const auto& v) { return query::Exact3{v.x, v.y, v.z}; };
+  query::FlatSet set;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    query::Exact3 p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool upper = (corner >> k & 1) != 0;
+      if constexpr (requires { box.center; }) {
+        const mpq_class half = abs(exact(box.half)[k]);
+        p[k] = exact(box.center)[k] + (upper ? half : mpq_class(-half));
+      } else {
+        p[k] = exact(box.min)[k] + (upper ? mpq_class(abs(exact(box.widths)[k])) : mpq_class(0));
+      }
+    }
+    set.points.push_back(p);
+  }
+  return set;
+}
+
 template <class Box, class Shape>
 void expect_box(RestatedSeen& seen, std::uint64_t start) {
   shape_cases::on_shapes(start, battery::sanitized ? 4 : 12, [&](Material& m) {
@@ -108,7 +129,7 @@ void expect_box(RestatedSeen& seen, std::uint64_t start) {
     EXPECT_EQ(relate(s, box), told) << about;
     EXPECT_EQ(intersects(s, box), told != Relation::disjoint) << about;
     // Independent of doubles: the box as what generates it.
-    const query::FlatSet set = query::flat_set(box);
+    const query::FlatSet set = corners_of_box(box);
     if constexpr (query::FlatFigure<Shape>) {
       if (!query::is_polygon(query::view_of(s))) {
         EXPECT_EQ(told, query::relate(set, query::flat_set(query::view_of(s)))) << about;

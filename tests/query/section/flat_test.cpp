@@ -1,7 +1,5 @@
 // Is what polygons and rectangles in space, and oriented boxes of the plane, have in common with others what rationals
 // say?
-#include "plumb/query/section/flat.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>

@@ -3,8 +3,9 @@
 #include "plumb/query/section/posed.hpp"
 
 #include "plumb/figure/basic/polyhedron.hpp"
+#include "plumb/figure/basic/rounded_poses.hpp"
 #include "plumb/figure/hull/hull3.hpp"
-#include "plumb/query/section/flat.hpp"
+#include "plumb/query/variant/questions.hpp"
 #include "query/body/pair_laws.hpp"
 #include "query/body/pair_types.hpp"
 #include "query/body/posed_cases.hpp"
@@ -114,6 +115,45 @@ TEST(PosedSection, WhatIsFlattenedIsCutAsAFlatFigure) {
   const Intersection3 across = intersection(Line3{{1, 1, 0}, {0, 0, 1}}, Posed{box, flatten});
   ASSERT_EQ(across.kind, IntersectionKind::point);
   EXPECT_EQ(approximate(across)[0], (Point3{1, 1, 2}));
+}
+
+bool same(const FlatIntersection& a, const FlatIntersection& b) {
+  return a.kind == b.kind && a.point == b.point && a.directions == b.directions;
+}
+ThreePointPlane3 image_of(const ThreePointPlane3& plane, const Pose& pose) {
+  const auto at = [&](const Point3& p) { return rounded_image(pose, p); };
+  return {at(plane.a), at(plane.b), at(plane.c)};
+}
+
+// What two planes have in common is told by the one reduced form of its equations: equal sets are equal answers.
+TEST(PosedSection, OfPlanesIsThatOfTheirImages) {
+  std::array<int, 5> seen{};
+  shape_cases::on_shapes(2601, 400, [&](Material& m) {
+    const auto n = [&] { return static_cast<double>(m.below(5)) - 2; };
+    const auto drawn = [&] { return ThreePointPlane3{{n(), n(), n()}, {n(), n(), n()}, {n(), n(), n()}}; };
+    const ThreePointPlane3 a = drawn(), b = m.below(3) == 0 ? a : drawn();
+    const Pose p = whole_pose(m), q = m.below(2) == 0 ? p : whole_pose(m);
+    const FlatIntersection common = intersection(Posed{a, p}, Posed{b, q});
+    ++seen[static_cast<std::size_t>(static_cast<int>(common.kind) + 1)];
+    EXPECT_TRUE(same(common, intersection(image_of(a, p), image_of(b, q)))) << m.about(a, b);
+    EXPECT_TRUE(same(common, intersection(Posed{b, q}, Posed{a, p}))) << m.about(a, b);
+    EXPECT_TRUE(same(intersection(Posed{a, identity_pose}, b), intersection(a, b))) << m.about(a, b);
+    EXPECT_TRUE(same(std::get<FlatIntersection>(intersection(plumb::AnyFigure(Posed{a, p}), Posed{b, q})), common))
+        << m.about(a, b);
+    const double at = n();
+    const Plane3 level{{0, 0, 1}, at};
+    EXPECT_TRUE(same(intersection(Posed{level, p}, b),
+                     intersection(Posed{ThreePointPlane3{{0, 0, at}, {1, 0, at}, {0, 1, at}}, p}, b)))
+        << m.about(a, b);
+  });
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_GT(seen[k], 1) << k;
+  const Plane3 all{{0, 0, 0}, 0}, none{{0, 0, 0}, 1}, wall{{2, 0, 0}, 6};
+  const RigidPose turn{{1, 0, 0, 1}, {1, 2, 3}};
+  EXPECT_EQ(intersection(Posed{all, turn}, Posed{all, turn}).kind, FlatKind::space);
+  EXPECT_TRUE(same(intersection(Posed{all, turn}, wall), intersection(wall, wall)));
+  EXPECT_EQ(intersection(Posed{none, turn}, all).kind, FlatKind::nothing);
+  const FlatIntersection line = intersection(Posed{wall, turn}, Plane3{{1, 0, 0}, 4});  // y = 3 + 2
+  EXPECT_TRUE(same(line, intersection(Plane3{{0, 1, 0}, 5}, Plane3{{1, 0, 0}, 4})));
 }
 
 }  // namespace

@@ -71,10 +71,10 @@ struct SameMove {
   RigidPose2 rigid2;
   Pose2 matrix2;
   [[nodiscard]] PosedView by_turn(const query::FigureView& v) const {
-    return {v, v.dimension == 3 ? query::PoseView(&rigid) : query::PoseView(&rigid2)};
+    return {v, v.dimension == 3 ? AnyPoseView(&rigid) : AnyPoseView(&rigid2)};
   }
   [[nodiscard]] PosedView by_matrix(const query::FigureView& v) const {
-    return {v, v.dimension == 3 ? query::PoseView(&matrix) : query::PoseView(&matrix2)};
+    return {v, v.dimension == 3 ? AnyPoseView(&matrix) : AnyPoseView(&matrix2)};
   }
 };
 /// One of the 24 turns of a cube, and of the four of a square.

@@ -9,45 +9,13 @@
 #include "query/body/degenerate_forms.hpp"
 #include "query/body/pair_questions.hpp"
 #include "query/body/posed_cases.hpp"
+#include "query/body/rigid_cases.hpp"
+#include "query/variant/outcome.hpp"
 
 namespace plumb::pair_cases {
 namespace {
 
 using Some = plumb::AnyFigure;
-
-Some some(const AnyFigure& s) {
-  return query::with_figure(s.view(), [](const auto& shape) { return Some(shape); });
-}
-
-/// The answer as text, or what was thrown: equal texts are equal answers, bit for bit.
-struct Words {
-  std::string of(Relation r) { return std::to_string(static_cast<int>(r)); }
-  std::string of(bool b) { return b ? "yes" : "no"; }
-  std::string of(double x) { return hexadecimal(x); }
-  std::string of(std::uint32_t n) { return std::to_string(n); }
-  std::string of(const Point3& p) { return of(p.x) + of(p.y) + of(p.z); }
-  std::string of(const Vector3& p) { return of(p.x) + of(p.y) + of(p.z); }
-  std::string of(const Feature& f) { return std::to_string(static_cast<int>(f.kind)) + "." + std::to_string(f.index); }
-  std::string of(const ExactDistance& d) { return of(d.square) + of(d.inset); }
-  std::string of(const Rational& r) { return r.text(); }
-  std::string of(const Closest& c) {
-    return of(c.on_a) + of(c.on_b) + of(c.distance) + of(c.feature_a) + of(c.feature_b);
-  }
-};
-template <class Call>
-std::string outcome(Call call) {
-  try {
-    return Words().of(call());
-  } catch (const InvalidShape& e) {
-    return std::string("InvalidShape: ") + e.what();
-  } catch (const NonFinite& e) {
-    return std::string("NonFinite: ") + e.what();
-  } catch (const Unsupported& e) {
-    return std::string("Unsupported: ") + e.what();
-  } catch (const UnevenPose& e) {
-    return std::string("UnevenPose: ") + e.what();
-  }
-}
 
 struct Asked {
   int cases = 0, refused = 0;
@@ -290,6 +258,11 @@ TEST(AnyFigure, IsOneLineOfText) {
   EXPECT_EQ(to_string(Sphere3{{1, 2, 3}, 0.5}), "ball3 0x1p+0 0x1p+1 0x1.8p+1 0x1p-1");
   EXPECT_EQ(to_string(Posed{Circle2{{1, 0}, 2}, Pose2{{{{0, 1}, {-1, 0}}}, {3, 0}}}),
             "ball2 0x1p+0 0x0p+0 0x1p+1 pose 0x0p+0 0x1p+0 -0x1p+0 0x0p+0 0x1.8p+1 0x0p+0");
+  EXPECT_EQ(to_string(Posed{Sphere3{{1, 2, 3}, 4}, RigidPose{{1, 0, 0, -1}, {8, 0, 0}}}),
+            "ball3 0x1p+0 0x1p+1 0x1.8p+1 0x1p+2 rigid 0x1p+0 0x0p+0 0x0p+0 -0x1p+0 0x1p+3 0x0p+0 0x0p+0");
+  EXPECT_EQ(to_string(Posed{Point2{1, 2}, RigidChain2{{{{1, 1}, {4, 0}}, {{2, 0}, {0, 1}}}}}),
+            "point2 0x1p+0 0x1p+1 chain 0x1p+0 0x1p+0 0x1p+2 0x0p+0 0x1p+1 0x0p+0 0x0p+0 0x1p+0");
+  EXPECT_EQ(to_string(Posed{Point3{0, 0, 0}, RigidChain{}}), "point3 0x0p+0 0x0p+0 0x0p+0 chain");
   EXPECT_EQ(parse_figure("aabb3 0 0 0  1 2 0x1p-3  # a slab"), Some(Aabb3{{0, 0, 0}, {1, 2, 0.125}}));
   EXPECT_EQ(parse_figure("  # nothing"), std::nullopt);
   int seen = 0;
@@ -297,8 +270,10 @@ TEST(AnyFigure, IsOneLineOfText) {
     for (const Some& s : all_kinds(m)) {
       const Pose pose = regular_pose(m);
       const Some posed = s.dimension() == 2 ? s.under(in_plane(pose)) : s.under(pose);
-      EXPECT_EQ(parse_figure(to_string(s)), s) << to_string(s);
-      EXPECT_EQ(parse_figure(to_string(posed)), posed) << to_string(posed);
+      const RigidCase by = rigid_case(m);
+      const auto under = [&s](const auto& there) { return s.under(there); };
+      const Some rigid = s.dimension() == 2 ? std::visit(under, by.plane) : std::visit(under, by.space);
+      for (const Some& read : {s, posed, rigid}) EXPECT_EQ(parse_figure(to_string(read)), read) << to_string(read);
       ++seen;
     }
   });
@@ -316,6 +291,11 @@ TEST(AnyFigure, IsOneLineOfText) {
             "'x' is not a number; give a decimal or hexadecimal double, such as 0.1 or 0x1.8p-3");
   EXPECT_EQ(refusal("ball3 1 2 3 4 pose 1"),
             "ball3: 1 numbers are no pose; give 12, the columns and then the translation");
+  EXPECT_EQ(refusal("ball3 1 2 3 4 rigid 1 0 0 0"),
+            "ball3: 4 numbers are no rigid pose; give 7, the quaternion and then the translation");
+  EXPECT_EQ(refusal("ball2 1 2 3 chain 1 0 4"),
+            "ball2: 3 numbers are no chain; give 4 for each link, the quaternion and then the translation");
+  EXPECT_EQ(refusal("ball2 1 2 3 chain 1 0 4 5 pose"), "ball2: nothing may follow the pose, but here comes 'pose'");
   EXPECT_EQ(refusal("k_dop2 3 1 0"),
             "k_dop2: the line ends too early; query/body/any_figure.hpp says what its numbers are");
   EXPECT_TRUE(refusal("sphere 1 2 3 4").starts_with("there is no figure 'sphere'; there are point2, line2, "));

@@ -26,8 +26,8 @@ std::optional<Contact> contact_of(const MovingMesh& mesh, const Pose& pose_0, co
   const auto at = [&](const std::vector<Point3>& places) {
     return std::array{places[v[0]], places[v[1]], places[v[2]], places[v[3]]};
   };
-  const auto exact =
-      query::moving::posed_first_contact({{kind, at(mesh.from), at(mesh.to)}, pose_0, pose_1}, separation);
+  const auto exact = query::moving::posed_first_contact(
+      {{kind, at(mesh.from), at(mesh.to)}, {&pose_0, &pose_1}, {&pose_0, &pose_1}}, separation);
   if (!exact) return {};
   return Contact{arith::rounded(Rounding::down, exact->time), exact->a, exact->b};
 }

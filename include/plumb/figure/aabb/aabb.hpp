@@ -7,7 +7,8 @@
 // No points throw InvalidShape, as does a negative radius; NaN and infinities throw NonFinite; a bound that no double
 // holds throws BeyondDoubles.
 // Source: RTCD 4.2, 4.2.2, 4.2.3, 4.2.4, 4.2.6, 6.5.1.
-// Cost: points by plain comparisons; a bound that needs rounding some 20 ns.
+// Cost: points by plain comparisons; a bound that needs rounding some 20 ns.  Nothing is searched: a span is passed
+// through once.
 #pragma once
 
 #include <concepts>

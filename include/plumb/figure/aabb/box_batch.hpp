@@ -6,7 +6,8 @@
 // spans of different lengths UnequalLengths.
 // Source: RTCD 4.2.1, 4.3.1, 13.7.
 // Cost: boxes below 1 ns a pair with four lanes; balls likewise, and a scalar exact sign for each pair that doubles
-// leave in doubt.  The best instruction set that the processor has is taken.
+// leave in doubt.  The best instruction set that the processor has is taken.  Nothing is searched: each item is
+// looked at once.
 #pragma once
 
 #include <array>

@@ -6,7 +6,8 @@
 // where neighbors lie equally far, all that are reached so are looked at, so that no plateau stops the climb.
 // A polyhedron without faces throws InvalidShape; NaN and infinities throw NonFinite.
 // Source: RTCD 4.2.5.
-// Cost: six visits to the neighbors of a vertex where nothing changed.
+// Cost: six visits to the neighbors of a vertex where nothing changed.  Bounded by n operations a pose for n
+// vertices, none of which is visited twice for one side, on integers as long as the exponents' span.
 #pragma once
 
 #include <array>

@@ -8,6 +8,7 @@
 // double holds throws BeyondDoubles.
 // Source: RTCD 4.2.4, 4.2.6.
 // Cost: some 100 ns a bound, and a sign for each further corner; some microseconds where a root leaves a choice.
+// Nothing is searched: each corner is looked at once.
 #pragma once
 
 #include <array>
@@ -42,6 +43,8 @@ Reach3 reach_of(const Quadrilateral2& shape);
 Reach3 reach_of(const Quadrilateral3& shape);
 Reach3 reach_of(const Polygon2& shape);
 Reach3 reach_of(const Polygon3& shape);
+Reach3 reach_of(const HoledPolygon2& shape);
+Reach3 reach_of(const HoledPolygon3& shape);
 Reach3 reach_of(const ConvexPolyhedron3& shape);
 Reach3 reach_of(const Circle2& shape);
 Reach3 reach_of(const Sphere3& shape);
@@ -55,12 +58,20 @@ Reach3 reach_of(const Rectangle3& shape);
 Aabb2 fit_image(const Reach3& shape, PoseView2 pose);
 Aabb3 fit_image(const Reach3& shape, PoseView pose);
 
+/// A box of axes is moved as one, so that none of its points is rounded.
+template <class Shape, class By>
+requires requires(const Shape& s, const By& pose) { fit_image(reach_of(s), pose); }
+auto fitted_image(const Shape& s, const By& pose) { return fit_image(reach_of(s), pose); }
+template <class Box, class By>
+requires(std::same_as<Box, Aabb2>&& PoseOfPlane<By>) || (std::same_as<Box, Aabb3> && PoseOfSpace<By>)  //
+    Box fitted_image(const Box& box, const By& pose) {
+  return transform(box, pose);
+}
+
 }  // namespace figure::box
 
 template <class Shape, class By>
-requires requires(const Shape& s, const By& pose) { figure::box::fit_image(figure::box::reach_of(s), pose); }
-auto fit_aabb(const Posed<Shape, By>& posed) {
-  return figure::box::fit_image(figure::box::reach_of(posed.shape), posed.pose);
-}
+requires requires(const Shape& s, const By& pose) { figure::box::fitted_image(s, pose); }
+auto fit_aabb(const Posed<Shape, By>& posed) { return figure::box::fitted_image(posed.shape, posed.pose); }
 
 }  // namespace plumb

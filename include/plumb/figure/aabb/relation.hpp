@@ -7,7 +7,7 @@
 // NaN and infinities throw NonFinite, naming the part.
 // Source: RTCD 4.2.1, 6.5.1.
 // Cost: min-max boxes less than twice that of the plain test, without branches on what is found: the sum of all numbers
-// is finite only where each is.
+// is finite only where each is.  Nothing is searched.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 // axis.  Corners that span no line, plane or space have no such coordinates: InvalidShape (figure/containment/voronoi_region.hpp
 // answers for them).  A number beyond the doubles throws BeyondDoubles, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.4 (figures 3.9, 3.10).
-// Cost: a quotient of two determinants each, some 100 ns; a sign costs a filter.
+// Cost: a quotient of two determinants each, some 100 ns; a sign costs a filter.  Nothing is searched.
 #pragma once
 
 #include "plumb/arith/sign.hpp"

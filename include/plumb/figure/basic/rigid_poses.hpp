@@ -14,7 +14,8 @@
 // NaN and infinity throw NonFinite, the quaternion zero InvalidShape, a number beyond the doubles BeyondDoubles; all by
 // name.
 // Source: RTCD 3.1.1, 3.2, 3.3; Hamilton's product.
-// Cost: some 2 us a composition of two, 1 us a link more; twice that where pairs of doubles leave a choice.
+// Cost: some 2 us a composition of two, 1 us a link more; twice that where pairs of doubles leave a choice.  Nothing
+// is searched.
 #pragma once
 
 #include <optional>

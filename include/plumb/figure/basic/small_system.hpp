@@ -9,7 +9,7 @@
 // A number beyond the doubles throws BeyondDoubles, NaN and infinity NonFinite; both name it. A matrix that moves
 // points is a Pose (arith/pose.hpp), which is not rounded; the signs alone are in certify/determinant_sign.hpp.
 // Source: RTCD 3.1.4, 3.1.5.
-// Cost: N + 1 determinants by pairs of doubles, some 100 ns to 1 us; an inverse N times that.
+// Cost: N + 1 determinants by pairs of doubles, some 100 ns to 1 us; an inverse N times that.  Nothing is searched.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,7 @@
 // Laws: NonFinite for a number that is none, by the name of its part; InvalidShape for a negative length, a chain of
 // fewer than three places, a surface without faces, the quaternion zero.
 // Source: none.
-// Cost: an addition a number, in a tree; lists are looked through.
+// Cost: an addition a number, in a tree; lists are looked through.  Nothing is searched.
 #pragma once
 
 #include <array>

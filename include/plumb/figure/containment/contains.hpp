@@ -11,7 +11,7 @@
 // negative radius throws InvalidShape.
 // Source: RTCD 3.4, 3.5, 3.6, 4.2, 4.3, 4.4, 4.5, 4.6, 4.7.
 // Cost: comparisons for axis-aligned boxes, inline; a call and the filters of one to six formulas for the others, the
-// exact stages (docs/proof.md) where a point is on the boundary or all but so.
+// exact stages (docs/proof.md) where a point is on the boundary or all but so.  Nothing is searched.
 #pragma once
 
 #include <concepts>

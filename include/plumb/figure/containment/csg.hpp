@@ -18,7 +18,8 @@
 // A leaf is taken at its word, and looked at when it is made: NonFinite and InvalidShape are thrown then, by its
 // locate.
 // Source: RTCD 2.2.1; Requicha 1980 for regularized sets.
-// Cost: each leaf is asked once; a tree is a value, and combining two copies their steps, not the shapes.
+// Cost: each leaf is asked once; a tree is a value, and combining two copies their steps, not the shapes.  Nothing is
+// searched.
 #pragma once
 
 #include <cstdint>

@@ -14,7 +14,7 @@
 // a maximum of f, such as any of f = -x x at x = 0, is called boundary though all around it is in the set.
 // A number that is NaN or infinite throws NonFinite.
 // Source: RTCD 2.2.1.
-// Cost: that of sign_of for the polynomial.
+// Cost: that of sign_of for the polynomial.  Nothing is searched.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 // are `exactly` so.  A row that is none of the kind, and points in one plane of which a polyhedron is asked, throw
 // InvalidShape.
 // Source: RTCD 11.
-// Cost: that of copying, or of the hull.
+// Cost: that of copying, or of the hull.  Nothing is searched but by convex_hull (figure/hull/hull3.hpp).
 #pragma once
 
 #include <span>

@@ -7,7 +7,7 @@
 // dimension of their hull and one) throw InvalidShape; NaN and infinity throw NonFinite.
 // Source: RTCD 4.3.5, 3.1.6.4.
 // Cost: locate that of the signs in certify/smallest_sphere.hpp and insphere; center some 100 ns; compare_radius the
-// same, and about 10 us where intervals leave doubt.
+// same, and about 10 us where intervals leave doubt.  Nothing is searched.
 #pragma once
 
 #include <array>

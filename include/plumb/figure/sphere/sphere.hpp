@@ -11,7 +11,7 @@
 // that no double holds throws BeyondDoubles.
 // Source: RTCD 4.3, 4.3.1, 6.5.2.
 // Cost: relate and intersects about that of the plain test, inline; merge some 300 ns; transform some 10 us, nearly all
-// for the stretch.
+// for the stretch.  Nothing is searched: a span is passed through once.
 #pragma once
 
 #include <array>

@@ -128,7 +128,7 @@ concept Collidable = requires(const A& a, const B& b) {
 // How do convex bodies touch, and how deep are they in one another?
 PLUMB_NO_ANSWER(
     std::optional<ContactManifold>,
-    "plumb: contact takes two convex bodies of space, as they stand or under a Pose, and then ContactManifoldOptions: "
+    "plumb: contact takes two convex bodies of space, as they stand or under a pose, and then ContactManifoldOptions: "
     "points, "
     "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, "
     "capsules, lozenges")
@@ -136,19 +136,19 @@ contact(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(
     std::optional<ExactContact>,
-    "plumb: exact_contact takes two convex bodies of space, as they stand or under a Pose, and then a margin: points, "
+    "plumb: exact_contact takes two convex bodies of space, as they stand or under a pose, and then a margin: points, "
     "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, "
     "capsules, lozenges")
 exact_contact(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(
     std::optional<Penetration>,
-    "plumb: penetration takes two convex bodies of space, as they stand or under a Pose: points, segments, triangles, "
+    "plumb: penetration takes two convex bodies of space, as they stand or under a pose: points, segments, triangles, "
     "convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, capsules, lozenges")
 penetration(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(std::optional<Penetration>,
-                "plumb: exact_penetration takes two convex bodies of space, as they stand or under a Pose: points, "
+                "plumb: exact_penetration takes two convex bodies of space, as they stand or under a pose: points, "
                 "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
                 "VertexHull3, balls, capsules, lozenges")
 exact_penetration(PLUMB_ANYTHING) PLUMB_DELETED;
@@ -164,19 +164,19 @@ PLUMB_NO_ANSWER(
 gjk_bounds(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(GjkAnswer,
-                "plumb: gjk takes two convex bodies of space, as they stand or under a Pose: points, segments, "
+                "plumb: gjk takes two convex bodies of space, as they stand or under a pose: points, segments, "
                 "triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and VertexHull3, balls, "
                 "capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
 gjk(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(bool,
-                "plumb: gjk_intersects takes two convex bodies of space, as they stand or under a Pose: points, "
+                "plumb: gjk_intersects takes two convex bodies of space, as they stand or under a pose: points, "
                 "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
                 "VertexHull3, balls, capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
 gjk_intersects(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(double,
-                "plumb: gjk_distance takes two convex bodies of space, as they stand or under a Pose: points, "
+                "plumb: gjk_distance takes two convex bodies of space, as they stand or under a pose: points, "
                 "segments, triangles, convex polygons, boxes, rectangles, tetrahedra, ConvexPolyhedron3 and "
                 "VertexHull3, balls, capsules, lozenges; of what is known by its farthest points alone ask gjk_bounds")
 gjk_distance(PLUMB_ANYTHING) PLUMB_DELETED;

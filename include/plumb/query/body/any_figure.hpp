@@ -12,11 +12,13 @@
 // (2) A pair that the question's table has not, and figures of the plane and of space together, throw Unsupported, which
 // names the question and both kinds.  (3) Copies are equal and independent; a shape of lists (a polygon, a k-DOP,
 // halfspaces, a polyhedron) is shared between copies and never changes.  (4) Text is one line: the kind and its dimension,
-// then the numbers in hexadecimal, in the order of degenerate/shape.hpp, then, of what is posed, `pose` and the columns
-// and the translation.  Of a k-DOP there are its directions before the bounds, and before these how many; a polyhedron is
-// how many vertices, these, and of each face how many corners and which; a cap is its ball and its halfspace.
+// then the numbers in hexadecimal, in the order of degenerate/shape.hpp, then where it stands: `pose` and the columns and
+// the translation, `rigid` and the quaternion and the translation, or `chain` and as much of each link.  Of a k-DOP there
+// are its directions before the bounds, and before these how many; a polyhedron is how many vertices, these, and of each
+// face how many corners and which; a cap is its ball and its halfspace.
 // Source: RTCD 2.3.
-// Cost: 248 bytes; no allocation but for shapes of lists.  A question costs two jumps more than of the kinds.
+// Cost: 248 bytes; no allocation but for shapes of lists and chains of poses.  A question costs two jumps more than of
+// the kinds.  Nothing is searched.
 #pragma once
 
 #include <array>
@@ -38,15 +40,9 @@ struct Unsupported : Error {
   using Error::Error;
 };
 
-/// Where a figure stands: as it is said, or under a pose of its space.
-using AnyPose = std::variant<std::monostate, Pose2, Pose>;
-
-template <class Shape>
-concept OfAnyFigure = PosedOrNot<Shape> &&(!query::is_posed<Shape> || requires(const Shape& s) { AnyPose(s.pose); });
-
 class AnyFigure {
  public:
-  template <OfAnyFigure Shape>
+  template <PosedOrNot Shape>
   AnyFigure(const Shape& s) {  // NOLINT: made of a figure without a word
     if constexpr (query::is_posed<Shape>) {
       hold(s.shape);
@@ -69,17 +65,7 @@ class AnyFigure {
   [[nodiscard]] query::FigureView figure() const {
     return {kind_, dimension_, there_ != nullptr ? there_.get() : static_cast<const void*>(here_.data())};
   }
-  [[nodiscard]] query::PosedView view() const {
-    return {figure(), std::visit(
-                          []<class By>(const By& by) {
-                            if constexpr (std::is_same_v<By, std::monostate>) {
-                              return query::PoseView();
-                            } else {
-                              return query::PoseView(&by);
-                            }
-                          },
-                          pose_)};
-  }
+  [[nodiscard]] query::PosedView view() const { return {figure(), pose_}; }
 
   /// Are kind, numbers and pose the same?
   friend bool operator==(const AnyFigure& a, const AnyFigure& b);
@@ -105,7 +91,7 @@ class AnyFigure {
   AnyPose pose_;
 };
 
-template <OfAnyFigure Shape>
+template <PosedOrNot Shape>
 AnyFigure figure_of(const Shape& s) {
   return AnyFigure(s);
 }

@@ -2,7 +2,7 @@
 //
 // Law: the numbers are looked through when a batch is made, not when it is asked: NonFinite names the item.
 // Source: RTCD 13.7.
-// Cost: a copy.
+// Cost: a copy.  Nothing is searched.
 #pragma once
 
 #include <array>

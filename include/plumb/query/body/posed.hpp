@@ -7,37 +7,17 @@
 // Cost: none.
 #pragma once
 
-#include <variant>
-
-#include "plumb/arith/pose.hpp"
-#include "plumb/arith/rigid_pose.hpp"
+#include "plumb/figure/basic/pose_view.hpp"
 #include "plumb/query/body/pairs.hpp"
 
 namespace plumb {
 
 namespace query {
 
-/// A pose whose type the compiler need not know; what has none stands as it is.
-struct PoseView {
-  std::variant<std::monostate, const Pose*, const Pose2*, const RigidPose*, const RigidPose2*, const RigidChain*,
-               const RigidChain2*>
-      by;
-
-  PoseView() = default;
-  template <class By>
-  requires(PoseOfSpace<By> || PoseOfPlane<By>)  //
-      PoseView(const By* pose) {
-    if (pose != nullptr) by = pose;
-  }
-
-  [[nodiscard]] bool stands() const { return by.index() == 0; }
-  friend bool operator==(const PoseView&, const PoseView&) = default;  // the same pose, not one like it
-};
-
 /// A figure whose type the compiler need not know, and its pose, if it has one: of space or of the plane.
 struct PosedView {
   FigureView figure;
-  PoseView pose{};
+  AnyPoseView pose{};
 };
 
 template <class Shape>

@@ -5,7 +5,7 @@
 // intersection of two halfspaces, that of `min` first.  (2) A box keeps the numbers of its features, and is never empty.
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 4.2 (figure 4.3), 4.6.1.
-// Cost: six sums whose errors are looked at.
+// Cost: six sums whose errors are looked at.  Nothing is searched.
 #pragma once
 
 #include <optional>

@@ -10,7 +10,7 @@
 // the hull.  Places are points of space, lists of them, and those of figures that are made of places alone; there is at
 // most one length.  Anything else does not compile.
 // Source: RTCD 4.5.
-// Cost: a list of the places.
+// Cost: a list of the places.  Nothing is searched.
 #pragma once
 
 #include <array>

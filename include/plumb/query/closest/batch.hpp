@@ -5,7 +5,7 @@
 // infinity throw NonFinite, naming the item.
 // Source: RTCD 5.1.2, 5.1.5.
 // Cost: a pass over doubles in lanes, with bounds; exact comparisons only among items that the bounds cannot tell
-// apart.
+// apart.  Bounded by n exact distances for n items, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,8 @@
 // is not, the error is that of the lowest such pair, whose number it tells; what was written before means nothing then.
 // Spans of another length than the pairs throw UnequalLengths, a number beyond the bodies Error.
 // Source: RTCD 9.5.
-// Cost: that of each pair; threads share them in blocks.
+// Cost: that of each pair; threads share them in blocks.  Bounded by n^2 signs a pair for n corners of both, as
+// gjk.hpp says.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,7 @@ namespace plumb {
 /// A body of any type; refers to the shape, which has to live on.  Of a figure of your own give a RoundedHull3.
 using AnyBody3 = query::BodyView;
 template <ConvexBody3 Shape>
-requires(!RoundedHullFigure<Shape>)  //
+requires(!RoundedHullFigure<query::UnposedType<Shape>>)  //
     AnyBody3 any_body(const Shape& shape) {
   return query::body_view(shape);
 }

@@ -11,8 +11,9 @@
 // Laws: (1) those of gjk_bounds, the other figure being any that support_point takes.  (2) The rounding is derived: no
 // coordinate of a point of the figure is off by more than half an ulp of its greatest one, and three of these are less
 // than an ulp together; options may state more.  (3) Equal to gjk_bounds of two mappings with that rounding.
-// (4) A figure under a pose is its exact image, whatever the matrix; its rounding is derived from the figure's, the pose and
-// that of the direction before it, some 2^-46 of the image's size.
+// (4) A figure under a pose is its exact image, whatever the matrix, rigid poses and chains among them; its rounding is
+// derived from the figure's, the pose and that of the direction before it, some 2^-46 of the image's size.  (5) Of an
+// AnyFigure it is that of its kind.
 // Errors: those of support_point, in its name, and as it: a pose with NaN or infinity throws NonFinite, an image beyond all
 // doubles BeyondDoubles.
 // Source: RTCD 9.5.3; van den Bergen 1999 (support mappings of quadrics).
@@ -20,6 +21,7 @@
 // n operations of support_point a step for n corners; of steps round figures take some tens.
 #pragma once
 
+#include "plumb/figure/basic/rounded_poses.hpp"
 #include "plumb/figure/support/support.hpp"
 #include "plumb/query/gjk/support_mapping.hpp"
 #include "plumb/query/separation/convex_body.hpp"
@@ -35,18 +37,18 @@ concept StandingFigure3 = std::same_as<Shape, Point3> || std::same_as<Shape, Ver
 };
 
 /// Along which direction the shape lies farthest before its pose: the nearest doubles of that times a power of two.
-Vector3 direction_before(const Pose& pose, const Vector3& direction);
-/// Each coordinate the nearest double.
-Point3 rounded_image(const Pose& pose, const Point3& p);
+Vector3 direction_before(PoseView pose, const Vector3& direction);
 /// Of points whose coordinates are no larger than `largest`, and no more than `off` away from exact ones.
-double rounding_of_image(const Pose& pose, double largest, double off);
+double rounding_of_image(PoseView pose, double largest, double off);
 
 }  // namespace query
 
-/// Whose farthest points are known to the last bit, as it stands or under a Pose.
+/// Whose farthest points are known to the last bit, as it stands or under a pose; or a figure whose kind is seen when it is
+/// asked.
 template <class Shape>
-concept SupportedFigure3 = query::StandingFigure3<query::UnposedType<Shape>> &&
-    (!query::is_posed<Shape> || requires(const Shape& s, const Pose*& p) { p = &s.pose; });
+concept SupportedFigure3 = std::same_as<Shape, AnyFigure> ||
+    (query::StandingFigure3<query::UnposedType<Shape>> &&
+     (!query::is_posed<Shape> || requires(const Shape& s) { PoseView(s.pose); }));
 
 /// Round by a quadric that is no core with a radius: a cylinder, a cone, an ellipsoid, a cap; or the image of one.
 template <class Shape>
@@ -93,21 +95,39 @@ class FigureSupport3 {
 
 /// Of an exact image.
 template <SupportedFigure3 Shape>
-requires(query::is_posed<Shape>)  //
-    class FigureSupport3<Shape> {
+class ImageSupport3 {
  public:
-  explicit FigureSupport3(const Shape& s) : figure_(s.shape), pose_(&s.pose) {}
+  ImageSupport3(const Shape& s, PoseView pose) : figure_(s), pose_(pose) {}
 
   Point3 operator()(const Vector3& direction) const {
-    return query::rounded_image(*pose_, figure_(query::direction_before(*pose_, direction)));
+    return rounded_image(pose_, figure_(query::direction_before(pose_, direction)));
   }
   [[nodiscard]] double rounding() const {
-    return query::rounding_of_image(*pose_, figure_.largest(), figure_.rounding());
+    return query::rounding_of_image(pose_, figure_.largest(), figure_.rounding());
   }
 
  private:
-  FigureSupport3<query::UnposedType<Shape>> figure_;
-  const Pose* pose_;
+  FigureSupport3<Shape> figure_;
+  PoseView pose_;
+};
+template <SupportedFigure3 Shape>
+requires(query::is_posed<Shape>)  //
+    class FigureSupport3<Shape> : public ImageSupport3<query::UnposedType<Shape>> {
+ public:
+  explicit FigureSupport3(const Shape& s) : ImageSupport3<query::UnposedType<Shape>>(s.shape, s.pose) {}
+};
+
+/// That of its kind; a kind that has none, and one of the plane, throws Unsupported.
+template <>
+class FigureSupport3<AnyFigure> {
+ public:
+  explicit FigureSupport3(const AnyFigure& s) : figure_(&s) {}
+
+  Point3 operator()(const Vector3& direction) const;
+  [[nodiscard]] double rounding() const;
+
+ private:
+  const AnyFigure* figure_;
 };
 
 namespace query {

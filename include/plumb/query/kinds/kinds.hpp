@@ -14,7 +14,7 @@
 //
 // Laws: those of degenerate/kind.hpp; figures are closed sets, and degenerate ones the sets they are.
 // Source: RTCD 11.
-// Cost: a table.
+// Cost: a table.  Nothing is searched.
 #pragma once
 
 #include <span>

@@ -12,7 +12,7 @@
 // Laws: exact; of infeasible rows at most one more than there are variables have a weight, of an optimum at most as
 // many as there are variables.  verify (query/lp/verify.hpp) says whether a proof is one, whoever made it.
 // Source: Chvatal, Linear Programming, 1983, chapters 5 and 9; RTCD 9.4.
-// Cost: an allocation a number.
+// Cost: an allocation a number.  Nothing is searched.
 #pragma once
 
 #include <span>

@@ -7,7 +7,7 @@
 // with too few numbers or with a constraint that there is none of included.  A proof of `optimal` of the objective zero
 // shows that its point is feasible.
 // Source: Karush 1939, and Kuhn and Tucker 1951, for the nearest point; RTCD 9.4.
-// Cost: a product for each number of the system.
+// Cost: a product for each number of the system.  Nothing is searched.
 #pragma once
 
 #include "plumb/query/lp/greatest_margin.hpp"

@@ -10,7 +10,7 @@
 // infinity throw NonFinite, by name.  Cylinders, cones and caps are not asked.
 // Source: RTCD 4.7, 5.2; src/query/convex/ellipsoid_pair.hpp.
 // Cost: rationals: some 30 us.  Bounded by n signs for n corners, and of two ellipsoids by a fixed number of operations,
-// on integers as long as the exponents' span: a millisecond, and some twenty where that is all of doubles.
+// on integers as long as the exponents' span: some milliseconds, and some tens where that is all of doubles.
 #pragma once
 
 #include "plumb/query/overlap/posed.hpp"

@@ -10,6 +10,7 @@
 // Method: a connected figure meets a slab exactly where it meets both of its halfspaces.
 // Source: RTCD 4.2.1, 4.6.1, 5.2, 5.2.3.
 // Cost: that of two halfspaces, or of an Aabb3; where an end is no double that of an Obb3, or some 2 us of a posed box.
+// Nothing is searched but what relate of that figure searches (query/overlap/posed.hpp).
 #pragma once
 
 #include "plumb/query/body/restated.hpp"

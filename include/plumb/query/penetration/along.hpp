@@ -68,19 +68,17 @@ struct PenetrationWithin {
 namespace query {
 
 template <class Shape>
-inline constexpr bool is_straight_body =
-    is_vertex_hull<UnposedType<Shape>> ||
-    !is_one_of(figure_kind<UnposedType<Shape>>, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
-template <>
-inline constexpr bool is_straight_body<VertexHull3> = true;
-template <>
-inline constexpr bool is_straight_body<Posed<VertexHull3>> = true;
-template <>
-inline constexpr bool is_straight_body<AnyFigure> = false;  // its kind may have a radius
-template <>
-inline constexpr bool is_straight_body<RoundedHull3> = false;
-template <RoundedHullFigure Shape>
-inline constexpr bool is_straight_body<Shape> = false;
+constexpr bool is_of_straight_kind() {
+  if constexpr (is_vertex_hull<Shape>) {
+    return true;
+  } else if constexpr (is_body_figure<Shape>) {
+    return !is_one_of(figure_kind<Shape>, {FigureKind::ball, FigureKind::capsule, FigureKind::lozenge});
+  } else {
+    return false;  // it may have a radius
+  }
+}
+template <class Shape>
+inline constexpr bool is_straight_body = is_of_straight_kind<UnposedType<Shape>>();
 
 std::optional<PenetrationAlong> penetration_along_of(const BodyView& a, const BodyView& b,
                                                      std::span<const Vector3> directions, bool is_list);

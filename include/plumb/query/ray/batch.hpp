@@ -6,7 +6,7 @@
 // UnequalLengths.
 // Source: RTCD 5.3.3, 5.3.6, 13.7.
 // Cost: about 2 ns a triangle or a box with four lanes; the scalar test for those that doubles leave in doubt.  The
-// best instruction set that the processor has is taken.
+// best instruction set that the processor has is taken.  Nothing is searched: each item is asked once.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,8 @@
 // Source: RTCD 5.3.2, 5.3.3 (figure 5.23), 5.3.6; the moved ray is simulation of simplicity with one vector for the
 // whole scene.
 // Cost: that of intersects (docs/overlap.md) for triangles, balls and axis-aligned boxes, else what first_hit takes to
-// decide; by the half-open rule microseconds where doubles are in doubt.
+// decide; by the half-open rule microseconds where doubles are in doubt.  Nothing is searched but what relate and
+// first_hit search (query/overlap/overlap.hpp, query/ray/ray.hpp).
 #pragma once
 
 #include "plumb/query/overlap/overlap.hpp"
@@ -29,37 +30,18 @@ bool hits_half_open(const Line3& line, const Triangle3& triangle);
 
 }  // namespace query
 
-inline bool hits(const Ray3& ray, const Triangle3& triangle, HitRule rule = HitRule::closed) {
-  return rule == HitRule::closed ? query::relate_as(query::Question::hits, ray, triangle) != Relation::disjoint
-                                 : query::hits_half_open(ray, triangle);
+template <query::StraightRay3 Ray>
+bool hits(const Ray& ray, const Triangle3& triangle, HitRule rule = HitRule::closed) {
+  if (rule == HitRule::half_open) return query::hits_half_open(ray, triangle);
+  return query::relate_as(query::Question::hits, ray, triangle) != Relation::disjoint;
 }
-inline bool hits(const Segment3& segment, const Triangle3& triangle, HitRule rule = HitRule::closed) {
-  return rule == HitRule::closed ? query::relate_as(query::Question::hits, segment, triangle) != Relation::disjoint
-                                 : query::hits_half_open(segment, triangle);
-}
-inline bool hits(const Line3& line, const Triangle3& triangle, HitRule rule = HitRule::closed) {
-  return rule == HitRule::closed ? query::relate_as(query::Question::hits, line, triangle) != Relation::disjoint
-                                 : query::hits_half_open(line, triangle);
-}
-
-inline bool hits(const Ray3& ray, const Sphere3& sphere) {
+template <query::StraightRay3 Ray>
+bool hits(const Ray& ray, const Sphere3& sphere) {
   return query::relate_as(query::Question::hits, ray, sphere) != Relation::disjoint;
 }
-inline bool hits(const Segment3& segment, const Sphere3& sphere) {
-  return query::relate_as(query::Question::hits, segment, sphere) != Relation::disjoint;
-}
-inline bool hits(const Line3& line, const Sphere3& sphere) {
-  return query::relate_as(query::Question::hits, line, sphere) != Relation::disjoint;
-}
-
-inline bool hits(const Ray3& ray, const Aabb3& box) {
+template <query::StraightRay3 Ray>
+bool hits(const Ray& ray, const Aabb3& box) {
   return query::relate_as(query::Question::hits, ray, box) != Relation::disjoint;
-}
-inline bool hits(const Segment3& segment, const Aabb3& box) {
-  return query::relate_as(query::Question::hits, segment, box) != Relation::disjoint;
-}
-inline bool hits(const Line3& line, const Aabb3& box) {
-  return query::relate_as(query::Question::hits, line, box) != Relation::disjoint;
 }
 
 /// Of what is known at run time alone.
@@ -68,32 +50,13 @@ bool hits(const AnyRay& ray, const Sphere3& sphere);
 bool hits(const AnyRay& ray, const Aabb3& box);
 
 /// As first_hit decides.
-bool hits(const AnyRay& ray, const Plane3& plane);
-bool hits(const AnyRay& ray, const ThreePointPlane3& plane);
-bool hits(const AnyRay& ray, const Halfspace3& halfspace);
-bool hits(const AnyRay& ray, const Quadrilateral3& quadrilateral);
-bool hits(const AnyRay& ray, const Polygon3& polygon);
-bool hits(const AnyRay& ray, const HoledPolygon3& polygon);
-bool hits(const AnyRay& ray, const Rectangle3& rectangle);
-bool hits(const AnyRay& ray, const Tetrahedron3& tetrahedron);
-bool hits(const AnyRay& ray, const Capsule3& capsule);
-bool hits(const AnyRay& ray, const Cylinder3& cylinder);
-bool hits(const AnyRay& ray, const Cone3& cone);
-bool hits(const AnyRay& ray, const Lozenge3& lozenge);
-bool hits(const AnyRay& ray, const Ellipsoid3& ellipsoid);
-bool hits(const AnyRay& ray, const Obb3& box);
-bool hits(const AnyRay& ray, const KDop3& k_dop);
-bool hits(const AnyRay& ray, const ConvexPolyhedron3& polyhedron);
-
-bool hits(const AnyRay2& ray, const Segment2& segment);
-bool hits(const AnyRay2& ray, const Triangle2& triangle);
-bool hits(const AnyRay2& ray, const Quadrilateral2& quadrilateral);
-bool hits(const AnyRay2& ray, const Polygon2& polygon);
-bool hits(const AnyRay2& ray, const HoledPolygon2& polygon);
-bool hits(const AnyRay2& ray, const Circle2& circle);
-bool hits(const AnyRay2& ray, const Aabb2& box);
-bool hits(const AnyRay2& ray, const Obb2& box);
-bool hits(const AnyRay2& ray, const Capsule2& capsule);
-bool hits(const AnyRay2& ray, const KDop2& k_dop);
+template <query::SeenInSpace Shape>
+bool hits(const AnyRay& ray, const Shape& shape) {
+  return query::RayAnswers<Shape>::hits(ray, shape);
+}
+template <query::SeenInPlane Shape>
+bool hits(const AnyRay2& ray, const Shape& shape) {
+  return query::RayAnswers2<Shape>::hits(ray, shape);
+}
 
 }  // namespace plumb

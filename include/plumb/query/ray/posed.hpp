@@ -39,8 +39,7 @@ std::optional<RayParameter> posed_first_hit_parameter(std::string_view function,
                                                       const PosedView& figure);
 
 template <class Ray, class Shape>
-concept PosedShot = PosedFigures<Ray, Shape> &&
-    is_one_of(figure_kind<UnposedType<Ray>>, {FigureKind::line, FigureKind::ray, FigureKind::segment}) &&
+concept PosedShot = PosedFigures<Ray, Shape> && StraightRay<UnposedType<Ray>> &&
     requires(const UnposedType<Ray>& ray, const UnposedType<Shape>& shape) {
   first_hit_parameter(ray, shape);
 };

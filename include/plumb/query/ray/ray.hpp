@@ -42,19 +42,13 @@
 // exponents' span.
 #pragma once
 
+#include <concepts>
 #include <optional>
 
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/ray_parameter.hpp"
-#include "plumb/figure/basic/box.hpp"
-#include "plumb/figure/basic/convex_polyhedron.hpp"
-#include "plumb/figure/basic/linear.hpp"
-#include "plumb/figure/basic/plane.hpp"
-#include "plumb/figure/basic/polygon.hpp"
-#include "plumb/figure/basic/round.hpp"
-#include "plumb/figure/basic/simplex.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
-#include "plumb/figure/k_dop/k_dop.hpp"
+#include "plumb/query/body/hit_pairs.hpp"
 
 namespace plumb {
 
@@ -86,46 +80,44 @@ struct AnyRay {
 /// that the ray passes between, none or both of two that it passes by, and none that is parallel to the ray.
 enum class HitRule : unsigned char { closed, half_open };
 
-std::optional<Hit> first_hit(const AnyRay& ray, const Plane3& plane);
-std::optional<Hit> first_hit(const AnyRay& ray, const ThreePointPlane3& plane);
-std::optional<Hit> first_hit(const AnyRay& ray, const Halfspace3& halfspace);
+namespace query {
+
+template <class Ray>
+concept StraightRay = Figure<Ray> &&
+    is_one_of(figure_kind<Ray>, {FigureKind::line, FigureKind::ray, FigureKind::segment});
+template <class Ray>
+concept StraightRay3 = StraightRay<Ray> && figure_dimension<Ray>
+== 3;
+
+/// What a ray is asked about as it stands: by query/body/hit_pairs.hpp, and ellipsoids.
+template <class Shape, int Dimension>
+concept SeenByRays = Figure<Shape> && figure_dimension<Shape>
+== Dimension&& hit_pairs.answers(FigureKind::ray, figure_kind<Shape>, Dimension);
+template <class Shape>
+concept SeenInSpace = SeenByRays<Shape, 3> || std::same_as<Shape, Ellipsoid3>;
+
+/// Compiled for each of them (src/query/ray/answers.hpp).
+template <class Shape>
+struct RayAnswers {
+  static std::optional<Hit> first_hit(const AnyRay& ray, const Shape& shape);
+  static std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Shape& shape);
+  static bool hits(const AnyRay& ray, const Shape& shape);
+};
+
+}  // namespace query
+
+template <query::SeenInSpace Shape>
+std::optional<Hit> first_hit(const AnyRay& ray, const Shape& shape) {
+  return query::RayAnswers<Shape>::first_hit(ray, shape);
+}
 std::optional<Hit> first_hit(const AnyRay& ray, const Triangle3& triangle, HitRule rule = HitRule::closed);
-std::optional<Hit> first_hit(const AnyRay& ray, const Quadrilateral3& quadrilateral);
-std::optional<Hit> first_hit(const AnyRay& ray, const Polygon3& polygon);
-std::optional<Hit> first_hit(const AnyRay& ray, const HoledPolygon3& polygon);
-std::optional<Hit> first_hit(const AnyRay& ray, const Rectangle3& rectangle);
-std::optional<Hit> first_hit(const AnyRay& ray, const Tetrahedron3& tetrahedron);
-std::optional<Hit> first_hit(const AnyRay& ray, const Sphere3& sphere);
-std::optional<Hit> first_hit(const AnyRay& ray, const Capsule3& capsule);
-std::optional<Hit> first_hit(const AnyRay& ray, const Cylinder3& cylinder);
-std::optional<Hit> first_hit(const AnyRay& ray, const Cone3& cone);
-std::optional<Hit> first_hit(const AnyRay& ray, const Lozenge3& lozenge);
-std::optional<Hit> first_hit(const AnyRay& ray, const Ellipsoid3& ellipsoid);
-std::optional<Hit> first_hit(const AnyRay& ray, const Aabb3& box);
-std::optional<Hit> first_hit(const AnyRay& ray, const Obb3& box);
-std::optional<Hit> first_hit(const AnyRay& ray, const KDop3& k_dop);
-std::optional<Hit> first_hit(const AnyRay& ray, const ConvexPolyhedron3& polyhedron);
 
 /// The exact t of first_hit.
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Plane3& plane);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const ThreePointPlane3& plane);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Halfspace3& halfspace);
+template <query::SeenInSpace Shape>
+std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Shape& shape) {
+  return query::RayAnswers<Shape>::first_hit_parameter(ray, shape);
+}
 std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Triangle3& triangle,
                                                 HitRule rule = HitRule::closed);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Quadrilateral3& quadrilateral);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Polygon3& polygon);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const HoledPolygon3& polygon);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Rectangle3& rectangle);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Tetrahedron3& tetrahedron);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Sphere3& sphere);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Capsule3& capsule);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Cylinder3& cylinder);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Cone3& cone);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Lozenge3& lozenge);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Ellipsoid3& ellipsoid);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Aabb3& box);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const Obb3& box);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const KDop3& k_dop);
-std::optional<RayParameter> first_hit_parameter(const AnyRay& ray, const ConvexPolyhedron3& polyhedron);
 
 }  // namespace plumb

@@ -52,27 +52,30 @@ struct AnyRay2 {
       : kind(AnyRay::Kind::line), origin(l.point), direction(l.direction), end(l.point) {}  // NOLINT
 };
 
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Segment2& segment);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Triangle2& triangle);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Aabb2& box);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Obb2& box);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const KDop2& k_dop);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Quadrilateral2& quadrilateral);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Polygon2& polygon);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const HoledPolygon2& polygon);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Circle2& circle);
-std::optional<Hit2> first_hit(const AnyRay2& ray, const Capsule2& capsule);
+namespace query {
+
+template <class Shape>
+concept SeenInPlane = SeenByRays<Shape, 2>;
+
+/// Compiled for each of them (src/query/ray/ray2.cpp).
+template <class Shape>
+struct RayAnswers2 {
+  static std::optional<Hit2> first_hit(const AnyRay2& ray, const Shape& shape);
+  static std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Shape& shape);
+  static bool hits(const AnyRay2& ray, const Shape& shape);
+};
+
+}  // namespace query
+
+template <query::SeenInPlane Shape>
+std::optional<Hit2> first_hit(const AnyRay2& ray, const Shape& shape) {
+  return query::RayAnswers2<Shape>::first_hit(ray, shape);
+}
 
 /// The exact t of first_hit.
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Segment2& segment);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Triangle2& triangle);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Aabb2& box);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Obb2& box);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const KDop2& k_dop);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Quadrilateral2& quadrilateral);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Polygon2& polygon);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const HoledPolygon2& polygon);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Circle2& circle);
-std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Capsule2& capsule);
+template <query::SeenInPlane Shape>
+std::optional<RayParameter> first_hit_parameter(const AnyRay2& ray, const Shape& shape) {
+  return query::RayAnswers2<Shape>::first_hit_parameter(ray, shape);
+}
 
 }  // namespace plumb

@@ -8,7 +8,8 @@
 // it is asked for its parameter.
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 5.3.3, 4.6.1.
-// Cost: that of an Aabb3 or a k-DOP; where an end is no double that of an Obb3, or rationals, some 120 us.
+// Cost: that of an Aabb3 or a k-DOP; where an end is no double that of an Obb3, or rationals, some 120 us.  Nothing
+// is searched but what first_hit of that figure searches (query/ray/posed.hpp).
 #pragma once
 
 #include "plumb/query/body/restated.hpp"
@@ -17,10 +18,6 @@
 namespace plumb {
 
 namespace query {
-
-template <class Ray>
-concept StraightRay = Figure<Ray> &&
-    is_one_of(figure_kind<Ray>, {FigureKind::line, FigureKind::ray, FigureKind::segment});
 
 inline KDop2 k_dop_of(const Vector2& normal, double min, double max) { return {Directions2({normal}), {min}, {max}}; }
 inline KDop3 k_dop_of(const Vector3& normal, double min, double max) { return {Directions3({normal}), {min}, {max}}; }

@@ -11,7 +11,7 @@
 // their intersection is answered, their arrangement is `degenerate`.
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 5.4.4, 5.4.5 (figure 5.31).
-// Cost: some 10 us, rational arithmetic.
+// Cost: some 10 us, rational arithmetic.  Nothing is searched.
 #pragma once
 
 #include <optional>

@@ -2,17 +2,19 @@
 //
 //   intersection(Posed{triangle, pose}, Posed{other, pose})   the image of what they have in common
 //
-// Laws: those of query/section/intersection.hpp, intersection2.hpp, flat.hpp and solid.hpp, of the exact images, in every
-// pair of theirs but of planes alone, one or both posed, in either order.  What a singular matrix flattens is the flat
+// Laws: those of query/section/intersection.hpp, intersection2.hpp, solid.hpp and, of two planes, planes.hpp, of
+// the exact images, in every pair of theirs, one or both posed, in either order.  What a singular matrix flattens is the flat
 // figure that it becomes.  Corners that are no doubles are held as rational points.
 // A polygon that is not convex throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 3.2, 5.3.
-// Cost: rationals: some 200 us for triangles and boxes, of polyhedra more with each corner.
+// Cost: rationals: some 200 us for triangles and boxes, of polyhedra more with each corner.  Bounded by n^2
+// operations for n corners of both, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/query/body/posed.hpp"
 #include "plumb/query/section/intersection.hpp"
 #include "plumb/query/section/intersection2.hpp"
+#include "plumb/query/section/planes.hpp"
 #include "plumb/query/section/solid.hpp"
 
 namespace plumb {
@@ -30,6 +32,12 @@ concept PosedSection = PosedFigures<A, B> && requires(const UnposedType<A>& a, c
   { intersection(a, b) } -> SectionAnswer;
 };
 
+FlatIntersection posed_planes(const PosedView& a, const PosedView& b);
+
+template <class A, class B>
+concept PosedPlanes = PosedFigures<A, B> && figure_dimension<UnposedType<A>>
+== 3 && is_plane_kind(figure_kind<UnposedType<A>>) && is_plane_kind(figure_kind<UnposedType<B>>);
+
 SolidIntersection3 posed_solid(const PosedView& a, const PosedView& b);
 
 template <class A, class B>
@@ -41,6 +49,11 @@ concept PosedSolids = PosedFigures<A, B> && SolidFigure<UnposedType<A>> && Solid
 template <class A, class B>
 requires query::PosedSolids<A, B> SolidIntersection3 intersection(const A& a, const B& b) {
   return query::posed_solid(query::posed_view(a), query::posed_view(b));
+}
+
+template <class A, class B>
+requires query::PosedPlanes<A, B> FlatIntersection intersection(const A& a, const B& b) {
+  return query::posed_planes(query::posed_view(a), query::posed_view(b));
 }
 
 template <class A, class B>

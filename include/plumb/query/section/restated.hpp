@@ -8,6 +8,7 @@
 // NaN and infinity throw NonFinite, by name.
 // Source: RTCD 4.6.1, 5.3.
 // Cost: that of an Aabb3; where an end is no double that of an Obb3 or of a posed box, and of slabs, rationals.
+// Nothing is searched but what intersection of that figure searches (query/section/posed.hpp).
 #pragma once
 
 #include "plumb/query/body/restated.hpp"

@@ -69,9 +69,7 @@ bool operator==(const SolidIntersection3& a, const SolidIntersection3& b);
 namespace query {
 template <class Shape>
 concept SolidFigure = Figure<Shape> && figure_dimension<Shape>
-== 3 && is_one_of(figure_kind<Shape>,
-                  {FigureKind::halfspace, FigureKind::tetrahedron, FigureKind::aabb, FigureKind::obb, FigureKind::k_dop,
-                   FigureKind::halfspace_intersection, FigureKind::convex_polyhedron});
+== 3 && is_solid_kind(figure_kind<Shape>);
 
 SolidIntersection3 common_solid(const FigureView& a, const FigureView& b);
 }  // namespace query

@@ -1,7 +1,7 @@
 // Convex body: which figures are the hull of a few points, or all that is near to such a hull?  What GJK, V-Clip, penetration
 // depth and certificates take: points, segments, triangles, convex polygons, boxes of both kinds, rectangles, tetrahedra,
 // polytopes with faces or by vertices alone, and, by a core and a radius, balls, capsules, lozenges, hulls of points and
-// figures of your own (query/body/rounded_hull.hpp); as they stand or, but for these two, under a pose.
+// figures of your own (query/body/rounded_hull.hpp); as they stand or under a pose.
 //
 // Laws: (1) the corners of a body are numbered as figure/containment/voronoi_region.hpp numbers vertices: those of a box by
 // bits, x, y, z, or the axis, where set the greater one; of a lozenge likewise by its edges; else in the order of the members.
@@ -30,7 +30,7 @@ namespace query {
 struct BodyView {
   FigureView figure{FigureKind::convex_polyhedron, 3, nullptr};
   std::span<const Point3> vertices{};
-  PoseView pose{};
+  AnyPoseView pose{};
   double radius = 0;  // of what is no figure: all within it of the hull
 
   [[nodiscard]] bool is_hull() const { return figure.shape == nullptr; }
@@ -65,8 +65,9 @@ inline BodyView body_view(const RoundedHull3& s) { return {.vertices = s.vertice
 /// Keeps the places that a view refers to.
 struct OwnBody {
   PlacesAndRadius of;
+  AnyPoseView pose{};
   operator BodyView() const {
-    return {.vertices = of.places, .radius = of.radius};
+    return {.vertices = of.places, .pose = pose, .radius = of.radius};
   }  // NOLINT: where a view is asked for
 };
 template <RoundedHullFigure Shape>
@@ -75,26 +76,31 @@ OwnBody body_view(const Shape& s) {
 }
 
 template <class Shape>
-requires(!RoundedHullFigure<Shape>) BodyView body_view(const Shape& s) {
+requires(!RoundedHullFigure<Shape>)  //
+    auto body_view(const Shape& s) {
   if constexpr (is_posed<Shape>) {
-    BodyView v = body_view(s.shape);
+    auto v = body_view(s.shape);
     v.pose = &s.pose;
     return v;
   } else if constexpr (is_vertex_hull<Shape>) {
-    return {.vertices = s.vertices};
+    return BodyView{.vertices = s.vertices};
   } else {
-    return {.figure = view_of(s)};
+    return BodyView{.figure = view_of(s)};
   }
 }
+
+/// What needs no AnyFigure to be one.
+template <class Shape>
+concept BodyOfTypes =
+    is_vertex_hull<Shape> || is_body_figure<Shape> || std::same_as<Shape, RoundedHull3> || RoundedHullFigure<Shape>;
 
 }  // namespace query
 
 /// A convex body of space, as it stands or under a pose; or a figure whose kind is seen when it is asked.
 template <class Shape>
-concept ConvexBody3 = std::same_as<Shape, AnyFigure> || std::same_as<Shape, RoundedHull3> || RoundedHullFigure<Shape> ||
-    ((query::is_vertex_hull<query::UnposedType<Shape>> ||
-      query::is_body_figure<query::UnposedType<Shape>>)&&(!query::is_posed<Shape> || requires(const Shape& s) {
-      requires PoseOfSpace<std::remove_cvref_t<decltype(s.pose)>>;
-    }));
+concept ConvexBody3 = std::same_as<Shape, AnyFigure> ||
+    (query::BodyOfTypes<query::UnposedType<Shape>> && (!query::is_posed<Shape> || requires(const Shape& s) {
+       requires PoseOfSpace<std::remove_cvref_t<decltype(s.pose)>>;
+     }));
 
 }  // namespace plumb

@@ -12,7 +12,8 @@
 // Every pair of figures that exact_distance takes, one fat or both, in the plane and in space.
 // A negative radius and an empty figure throw InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 11.3.4, 4.5.
-// Cost: that of exact_distance (docs/closest.md).
+// Cost: that of exact_distance (docs/closest.md).  Nothing is searched but what exact_distance searches
+// (query/separation/separation.hpp).
 #pragma once
 
 #include "plumb/query/separation/separation.hpp"

@@ -7,7 +7,8 @@
 // face 1 at its max, edges in the plane.
 // An empty slab throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 4.6.1, 5.1, 5.1.3.
-// Cost: that of an Aabb3; of a slab, and of a box whose ends are no doubles, rationals: some 100 us.
+// Cost: that of an Aabb3; of a slab, and of a box whose ends are no doubles, rationals: some 100 us.  Nothing is
+// searched but what closest_points of that figure searches (query/separation/posed.hpp).
 #pragma once
 
 #include "plumb/query/body/restated.hpp"

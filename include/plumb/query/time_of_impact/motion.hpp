@@ -62,6 +62,8 @@ struct Moving {
   Shape from, to;
   friend bool operator==(const Moving&, const Moving&) = default;
 };
+template <class Shape>
+Moving(Shape, Shape) -> Moving<Shape>;
 
 /// The first time at which two figures meet, rounded down: never late, and within 1 ulp; and the features that meet
 /// then, those of the lowest dimension first, then those of the lowest number (figure/containment/voronoi_region.hpp).

@@ -6,13 +6,15 @@
 //   gjk, penetration and all else that takes a ConvexBody3
 //
 // Laws: (1) the set is all points at most the radius away from the convex hull of the places, in real arithmetic; answers
-// are exact, then rounded once, as those of the kinds are.  (2) Where hull and radius are a figure of a kind (no radius: a
-// point, a segment, a convex polygon or polyhedron; of one or two places a ball or a capsule) all is that figure's.
-// (3) Else relate, intersects and distances are told by the distance of the hulls; closest_points of convex bodies, by
-// GJK; contains of what is convex; first_hit, first_contact and intersection throw Unsupported.
+// are exact, then rounded once, as those of the kinds are.  It may stand under a pose, as they do.  (2) Where hull and
+// radius are a figure of a kind (no radius: a point, a segment, a convex polygon or polyhedron; of one or two places a
+// ball or a capsule) all is that figure's.  (3) Else relate, intersects and distances are told by the distance of the
+// hulls; closest_points of convex bodies, by GJK; contains of what is convex; first_hit, first_contact and intersection
+// throw Unsupported, a pose that is a matrix UnevenPose.
 // NaN and infinity throw NonFinite, a negative radius and no place InvalidShape, by name.
 // Source: RTCD 4.5, 11.3.4.
-// Cost: the hull of the places, some microseconds, beside that of the question.
+// Cost: the hull of the places, some microseconds, beside that of the question.  Nothing is searched but by the hull
+// and by that question.
 #pragma once
 
 #include "plumb/query/gjk/gjk.hpp"
@@ -28,6 +30,8 @@ struct RoundedFigure {
   double radius = 0;
 };
 RoundedFigure rounded_figure(const PlacesAndRadius& of);
+/// A radius that is left keeps a rigid pose alone: UnevenPose.
+RoundedFigure posed_figure(std::string_view function, const RoundedFigure& s, const AnyPose& pose);
 
 /// What a question looks at: the hull of a figure of your own, and of any other itself.
 struct RoundedView {
@@ -45,16 +49,23 @@ RoundedFigure seen(std::string_view function, const Shape& s) {
   figure::require_sound(function, s);
   return rounded_figure(places_and_radius(s));
 }
+template <RoundedHullFigure Shape, PoseOfSpace By>
+RoundedFigure seen(std::string_view function, const Posed<Shape, By>& s) {
+  return posed_figure(function, seen(function, s.shape), s.pose);
+}
 template <AnyOrKind Shape>
 const Shape& seen(std::string_view, const Shape& s) {
   return s;
 }
 
+/// Your own, as it stands or under a pose.
 template <class S>
-concept OwnOrKind = RoundedHullFigure<S> || AnyOrKind<S>;
+concept OwnBody3 = RoundedHullFigure<UnposedType<S>> && ConvexBody3<S>;
+template <class S>
+concept OwnOrKind = OwnBody3<S> || AnyOrKind<S>;
 /// One of them at least is your own.
 template <class A, class B>
-concept OwnPair = (RoundedHullFigure<A> || RoundedHullFigure<B>)&&OwnOrKind<A>&& OwnOrKind<B>;
+concept OwnPair = (OwnBody3<A> || OwnBody3<B>)&&OwnOrKind<A>&& OwnOrKind<B>;
 
 Relation rounded_relate(std::string_view function, const RoundedView& a, const RoundedView& b);
 bool rounded_contains(const RoundedView& outer, const RoundedView& inner);

@@ -4,6 +4,7 @@
 //   relate(any, sphere)  intersects  contains  distance  exact_distance  closest_points  compare_distance
 //   first_hit(ray, any)  first_hit_parameter  hits
 //   first_contact(Translating{any, {1, 0, 0}}, wall)  first_contact_time  intersects
+//   first_contact(Moving{any, next}, Moving{other, other})  first_contact_time  intersects
 //   intersection(any, any)            one of four results: AnyIntersection
 //   locate(any, p)  support_point(any, direction)  support_value  fit_aabb
 //   gjk, penetration and all that takes a ConvexBody3 (query/separation/convex_body.hpp) take one as well
@@ -14,7 +15,8 @@
 // point out of it throws Unsupported.
 // Source: RTCD 2.3.
 // Cost: that of the kinds and a jump for each figure; a few figures under poses and in motion are copied.  A program that
-// asks all of these compiles as fast as one that asks one: the pairs are compiled in the library.
+// asks all of these compiles as fast as one that asks one: the pairs are compiled in the library.  Nothing is
+// searched but by that question.
 #pragma once
 
 #include <concepts>
@@ -30,7 +32,7 @@
 #include "plumb/query/ray/ray.hpp"
 #include "plumb/query/section/planes.hpp"
 #include "plumb/query/section/solid.hpp"
-#include "plumb/query/time_of_impact/motion.hpp"
+#include "plumb/query/time_of_impact/posed_corners.hpp"
 
 namespace plumb {
 
@@ -45,7 +47,7 @@ PosedView any_view(const Shape& s) {
 }
 
 template <class S>
-concept AnyOrKind = std::same_as<S, AnyFigure> || OfAnyFigure<S>;
+concept AnyOrKind = std::same_as<S, AnyFigure> || PosedOrNot<S>;
 /// One of them at least is known at run time alone.
 template <class A, class B>
 concept AnyPair = (std::same_as<A, AnyFigure> || std::same_as<B, AnyFigure>)&&AnyOrKind<A>&& AnyOrKind<B>;
@@ -78,6 +80,17 @@ struct AnyMotion {
 std::optional<Contact> any_first_contact(const AnyMotion& a, const AnyMotion& b);
 std::optional<Root> any_first_contact_time(const AnyMotion& a, const AnyMotion& b);
 bool any_meet(const AnyMotion& a, const AnyMotion& b);
+
+bool any_corners_meet(const CornersInMotion& a, const CornersInMotion& b, const ContactOptions& options);
+std::optional<Contact> any_corner_contact(const CornersInMotion& a, const CornersInMotion& b,
+                                          const ContactOptions& options);
+std::optional<Root> any_corner_contact_time(const CornersInMotion& a, const CornersInMotion& b,
+                                            const ContactOptions& options);
+
+template <class S>
+CornersInMotion any_corners(const Moving<S>& s) {
+  return {any_view(s.from), any_view(s.to)};
+}
 
 template <class S>
 AnyMotion any_motion(const S& s) {
@@ -195,7 +208,24 @@ template <class A, class B>
 requires query::AnyInMotion<A, B>
 bool intersects(const A& a, const B& b) { return query::any_meet(query::any_motion(a), query::any_motion(b)); }
 
-// Of one figure, without a pose.  Templates, so that no kind becomes an AnyFigure on the way to a question that it has
+/// Of points, segments and triangles; the two places of a figure are of one kind, each under a pose of its own.
+template <class A, class B>
+requires query::AnyPair<A, B> std::optional<Contact> first_contact(const Moving<A>& a, const Moving<B>& b,
+                                                                   const ContactOptions& options = {}) {
+  return query::any_corner_contact(query::any_corners(a), query::any_corners(b), options);
+}
+template <class A, class B>
+requires query::AnyPair<A, B> std::optional<Root> first_contact_time(const Moving<A>& a, const Moving<B>& b,
+                                                                     const ContactOptions& options = {}) {
+  return query::any_corner_contact_time(query::any_corners(a), query::any_corners(b), options);
+}
+template <class A, class B>
+requires query::AnyPair<A, B>
+bool intersects(const Moving<A>& a, const Moving<B>& b, const ContactOptions& options = {}) {
+  return query::any_corners_meet(query::any_corners(a), query::any_corners(b), options);
+}
+
+// Of one figure.  Templates, so that no kind becomes an AnyFigure on the way to a question that it has
 // no answer for.
 template <std::same_as<AnyFigure> Shape>
 Location locate(const Shape& shape, const Point2& p) {

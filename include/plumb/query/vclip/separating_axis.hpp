@@ -8,7 +8,7 @@
 // Laws: (1) nothing of solids that overlap.  (2) Else along `direction` no point of a lies farther than any of b; where
 // the relation is disjoint, every point of a lies less far than every point of b, where it is touching there is no axis
 // of which this holds. (3) It is the first such axis: of the faces of a, of those of b, of pairs of edges, in the order
-// of the meshes. Polyhedra, one or both under a Pose whose matrix is not singular.  A singular one and a polyhedron
+// of the meshes. Polyhedra, one or both under a pose whose matrix is not singular.  A singular one and a polyhedron
 // without faces throw InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 5.2.1, 9.2; Gottschalk 1996.
 // Cost: a sign a face as a rule, then 10 operations for each pair of edges, of which few are left to signs.  Bounded by

@@ -10,7 +10,7 @@
 // two strictly: every point of a lies less far along it than every one of b, in real arithmetic.  None is told of
 // solids that meet, and of those that doubles do not part.  (3) It ends: where a pair of corners comes again, the exact
 // search answers. (4) The start changes the time and the direction, never `disjoint`. Polyhedra, one or both under a
-// Pose.  One without faces throws InvalidShape, NaN and infinity NonFinite, by name.
+// pose.  One without faces throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 9.6; Chung and Wang, Quick collision detection of polytopes in virtual environments, 1996.
 // Cost: a climb on each solid for every direction; docs/convex.md.  Bounded by n^2 signs for n corners of both, on
 // integers as long as the exponents' span.

@@ -11,8 +11,9 @@
 // exact ones rounded once.  It is that of closest_points where one pair alone is nearest, else one of the nearest
 // pairs; of polyhedra that meet one of their common points, with the features that the walk ended at.  (3) The start
 // changes the time, never the distance. (4) The walk ends: it is a function of the pair, and one that comes back to a
-// pair is left to the exact search, as is what a singular pose flattens. Polyhedra, one or both under a pose.  One
-// without faces and a start that is no corner of its mesh throw InvalidShape, NaN and infinity NonFinite, by name.
+// pair is left to the exact search, as is what a singular pose flattens.  Polyhedra, one or both under a pose, and figures
+// that are of that kind when they are asked.  One without faces and a start that is no corner of its mesh throw
+// InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 9.2.1 (figure 9.4); Mirtich, V-Clip: fast and robust polyhedral collision detection, 1998.
 // Cost: docs/convex.md.  Bounded by n^2 signs for n corners of both, on integers as long as the exponents' span: no
 // pair of features comes twice, for the distance falls with each.
@@ -20,6 +21,7 @@
 
 #include <optional>
 
+#include "plumb/query/body/any_figure.hpp"
 #include "plumb/query/separation/posed.hpp"
 
 namespace plumb {
@@ -55,14 +57,22 @@ namespace query {
 /// A convex polyhedron as it stands or under a pose.
 struct ClipView {
   const ConvexPolyhedron3* polyhedron;
-  PoseView pose{};
+  AnyPoseView pose{};
 };
 
 template <class Shape>
-concept ClipBody = std::same_as<UnposedType<Shape>, ConvexPolyhedron3> && has_its_pose<Shape>;
+concept ClipBody = std::same_as<Shape, AnyFigure> ||
+    (std::same_as<UnposedType<Shape>, ConvexPolyhedron3>&& has_its_pose<Shape>);
+
+/// Of any other kind there is none: Unsupported.
+inline ClipView clip_view(const AnyFigure& s) {
+  const auto* polyhedron = get_if<ConvexPolyhedron3>(s);
+  if (polyhedron == nullptr) refuse_figure("what takes convex polyhedra", s.figure());
+  return {polyhedron, s.view().pose};
+}
 
 template <ClipBody Shape>
-ClipView clip_view(const Shape& s) {
+requires(!std::same_as<Shape, AnyFigure>) ClipView clip_view(const Shape& s) {
   if constexpr (is_posed<Shape>) {
     return {&s.shape, &s.pose};
   } else {

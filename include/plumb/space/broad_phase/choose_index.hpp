@@ -16,7 +16,7 @@
 // A moving_share that is not from 0 to 1 and empty boxes throw InvalidShape, NaN and infinity NonFinite.
 // Source: RTCD 2.4.1.
 // Cost: some passes over the boxes and some 2 ms; to measure, up to most_milliseconds and what is made before for each
-// method that is predicted to take no longer.
+// method that is predicted to take no longer.  Bounded by n log n operations for n boxes, where nothing is measured.
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,8 @@
 // UnequalLengths.  Then all is as it was before the call.
 // Source: RTCD 2.4.1, 6.3.1, 6.3.2, 7.5; the dynamic trees of physics engines enlarge boxes likewise.
 // Cost: a us or two for each box that moves; where most move about what overlapping_pairs takes, as pairs() does.  Memory
-// for all boxes three times, and 8 bytes for each column that a box stands in; none for pairs.
+// for all boxes three times, and 8 bytes for each column that a box stands in; none for pairs.  Bounded by n^2
+// comparisons for n boxes that come or move, n for in_box and first_hit.
 #pragma once
 
 #include <compare>

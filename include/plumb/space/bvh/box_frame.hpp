@@ -9,7 +9,7 @@
 // What is rounded is compared with the double itself and moved by one float where it lies on the wrong side, so there
 // is no bound to believe.
 // Source: RTCD 6.6.
-// Cost: below, above: a multiplication, two conversions and a comparison, without branches.
+// Cost: below, above: a multiplication, two conversions and a comparison, without branches.  Nothing is searched.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@
 // not.
 // Source: RTCD 6.6.5.
 // Cost: memory_of says it; at most 64 bytes a triangle where there are half as many vertices as triangles, as in
-// closed meshes.
+// closed meshes.  Nothing is searched.
 #pragma once
 
 #include <array>

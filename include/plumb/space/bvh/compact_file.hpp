@@ -16,7 +16,7 @@
 // Who changes or cuts a file while it is mapped breaks (1) and (2) as with any mapped file.
 // Source: RTCD 6.6, 13.4.2.
 // Cost: as many bytes as in memory, and 128.  Mapping looks at every byte: 2 million triangles, 53 MB, take 0.17 s, of
-// which the checksum 0.03.
+// which the checksum 0.03.  Nothing is searched.
 #pragma once
 
 #include <string>

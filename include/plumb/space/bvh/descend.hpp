@@ -16,7 +16,8 @@
 //       parent's.
 // No recursion; the first two take a stack of fixed size, the last a heap.
 // Source: RTCD 6.3.1, 6.3.2, 6.6.6.
-// Cost: one call of enters or bound for each child of a node that is entered.
+// Cost: one call of enters or bound for each child of a node that is entered.  Bounded by n log n operations for n
+// nodes, the order by distance.
 #pragma once
 
 #include <array>

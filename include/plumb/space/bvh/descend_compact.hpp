@@ -11,7 +11,8 @@
 //       ancestors, is at most the final limit; of a node's children the nearer ones first.
 // No recursion; a stack of fixed size.
 // Source: RTCD 6.3.1, 6.3.2, 6.6.6.
-// Cost: one call of enters or bound for each child of a node that is entered, whose box is made for it.
+// Cost: one call of enters or bound for each child of a node that is entered, whose box is made for it.  Bounded by n
+// log n operations for n nodes, the order of each one's children.
 #pragma once
 
 #include <array>

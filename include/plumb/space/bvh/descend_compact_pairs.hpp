@@ -6,7 +6,8 @@
 // A BoxNode has the child's box and its link, as in descend_compact.hpp; of the root it has the tree's box.
 // Laws: those of descend_pairs.hpp.
 // Source: RTCD 6.3.3, 13.4.2.
-// Cost: a node is opened for each pair in which it is replaced; one call of meets for each of its children.
+// Cost: a node is opened for each pair in which it is replaced; one call of meets for each of its children.  Bounded
+// by n^2 calls for n nodes of both.
 #pragma once
 
 #include "plumb/space/bvh/descend_compact.hpp"

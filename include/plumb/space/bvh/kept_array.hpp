@@ -2,7 +2,7 @@
 //
 // Laws: a copy of an array of one's own is another array; copies of a mapped one share the mapping, which lives as long
 // as one of them.
-// Cost: a comparison more than a span; take view() once before a loop.
+// Cost: a comparison more than a span; take view() once before a loop.  Nothing is searched.
 #pragma once
 
 #include <memory>

@@ -6,7 +6,7 @@
 // Laws: (1) numbers[i] is the i-th number given.  (2) Each takes the bytes that the largest needs, 1 to 4; four of each
 //       on machines whose high bytes come first.  (3) PackedView reads an array of 32-bit numbers alike.
 // Source: RTCD 13.3.2.
-// Cost: a load of four bytes and a mask; three bytes behind the last are there to be loaded.
+// Cost: a load of four bytes and a mask; three bytes behind the last are there to be loaded.  Nothing is searched.
 #pragma once
 
 #include <bit>

@@ -11,7 +11,7 @@
 // A pose that has a number that is NaN or infinite throws NonFinite, naming it, from the question.
 // Source: RTCD 3.2, 6.3.3.
 // Cost: boxes of nodes are posed as they are needed, rounded outward; triangles by arithmetic that knows its error,
-// which is several times that of a mesh that stands.
+// which is several times that of a mesh that stands.  Nothing is searched.
 #pragma once
 
 #include "plumb/arith/pose.hpp"

@@ -7,7 +7,7 @@
 // the function that was called throws Cancelled: there are no partial answers.  (3) It changes no answer.  (4) What it
 // throws reaches the caller.
 // Source: none.
-// Cost: a lock for each of some thousand parts at most.
+// Cost: a lock for each of some thousand parts at most.  Nothing is searched.
 #pragma once
 
 #include <concepts>

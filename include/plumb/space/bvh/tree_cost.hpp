@@ -7,7 +7,7 @@
 //       probability; so nodes and items are what such a line meets on the average, if it is stopped by nothing.
 // The numbers are estimates in doubles, and decide nothing.
 // Source: RTCD 6.1.2; Goldsmith and Salmon 1987.
-// Cost: linear in the nodes.
+// Cost: linear in the nodes.  Nothing is searched.
 #pragma once
 
 #include <cstddef>

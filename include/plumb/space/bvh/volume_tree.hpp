@@ -12,7 +12,8 @@
 // A volume that no doubles hold throws BeyondDoubles, as the fit of it does.
 // Source: RTCD 6.1.1, 6.1.2, 6.4.1, 6.4.6, 6.5; Gottschalk, Lin and Manocha 1996, Klosowski et al. 1998.
 // Cost: linear for axis-aligned boxes, k-DOPs and where volumes are merged; else each corner is looked at once for each
-// node above it.  A node is sizeof(Volume) + 8 bytes, and what a k-DOP keeps elsewhere.
+// node above it.  A node is sizeof(Volume) + 8 bytes, and what a k-DOP keeps elsewhere.  Bounded by n operations a
+// level, on integers as long as the exponents' span.
 #pragma once
 
 #include <concepts>

@@ -9,7 +9,8 @@
 //       box is that of the node of the binary tree that has the same slots.  (3) No node is deeper than
 //       most_tree_depth.  (4) No items, no nodes; one leaf alone has a root above it.
 // Source: RTCD 6.6, 13.7; Ylitie, Karras and Laine 2017 for the collapse.
-// Cost: 32 bytes a child and those that are missing; made in linear time.
+// Cost: 32 bytes a child and those that are missing; made in linear time.  Nothing is searched: each node is passed
+// once.
 #pragma once
 
 #include <array>

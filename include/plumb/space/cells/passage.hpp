@@ -16,7 +16,9 @@
 // A segment that begins outside the cell, and an object outside all cells, throw InvalidShape; a
 // handle that holds nothing Error; NaN and infinity NonFinite.
 // Source: RTCD 7.6.
-// Cost: a sign for each face while it stays in the cell; rational numbers for each cell that it leaves.
+// Cost: a sign for each face while it stays in the cell; rational numbers for each cell that it leaves.  Bounded by
+// n^2 places that are come to in n cells, one for each cell and number of portals, on integers as long as the exponents'
+// span.
 #pragma once
 
 #include "plumb/arith/rational.hpp"

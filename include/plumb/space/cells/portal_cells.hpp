@@ -14,7 +14,8 @@
 // is none what check_polyhedron throws; NaN and infinity NonFinite.
 // Source: RTCD 7.6.
 // Cost: a sign for each face of a cell and vertex of its portals; cells_holding asks an octree of the cells' boxes,
-// then a sign for each of their faces.
+// then a sign for each of their faces.  Bounded by n signs for n faces, and by the octree
+// (space/octree/box_octree.hpp), on integers as long as the exponents' span.
 #pragma once
 
 #include <array>

@@ -19,7 +19,8 @@
 // Source: RTCD 7.6; Luebke and Georges 1995; separating planes of pairs of portals: Teller and Sequin 1991.
 // Cost: a clip of the last portal by each edge of those before it, exactly, on points that planes of given points
 // construct (docs/implicit_points.md); for potentially_visible by each plane that separates two.  No recursion.  Chains
-// may be many where portals are large: as many as are seen.
+// may be many where portals are large: as many as are seen.  Bounded by n^2 clips for a chain of n portals
+// and those that it begins with, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/certify/exact_point.hpp"

@@ -13,6 +13,7 @@
 // Source: RTCD 6.6.7, 7.7.
 // Cost: the shapes are sorted by Morton codes; a comparison of boxes for each child of a node that a group enters, and
 // for each shape of it and triangle that its box meets.  Of any a triangle that has been found is not asked again.
+// Bounded by n tests of triangles for each shape, on integers as long as the exponents' span.
 #pragma once
 
 #include <concepts>

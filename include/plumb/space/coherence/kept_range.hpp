@@ -13,6 +13,7 @@
 // Errors are those of triangles_meeting, and InvalidShape for a margin that is negative or not finite.
 // Source: RTCD 13.5, 13.5.1.
 // Cost: a comparison of boxes for each triangle of the row, and a test of those whose boxes meet; 128 bytes each.
+// Bounded by n tests of triangles, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

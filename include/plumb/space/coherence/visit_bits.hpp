@@ -9,7 +9,7 @@
 // Source: RTCD 7.7.1.
 // Cost: a bit each, an eighth of what stamps take: they pay where stamps of all things would not stay in the cache.
 // begin clears the words that have been written to, so a query that visits little costs little; each visit of a word
-// that was empty is noted, which stamps need not.
+// that was empty is noted, which stamps need not.  Nothing is searched.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 // An i that is not below size() is a mistake of the caller.
 // Source: RTCD 7.7, 7.7.2, 7.7.3.
 // Cost: a byte each; begin clears them once in 255 calls, which is size() / 255 bytes a query.  It pays where a test
-// costs more than the miss of a cache that a stamp may cost: measure, or test again.
+// costs more than the miss of a cache that a stamp may cost: measure, or test again.  Nothing is searched.
 #pragma once
 
 #include <cstddef>

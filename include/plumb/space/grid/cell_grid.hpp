@@ -6,7 +6,7 @@
 // -most_cell and most_cell; of what lies beyond, the last number is told.
 // A size that is not above zero throws InvalidShape, NaN and infinity NonFinite, by name.
 // Source: RTCD 7.1.
-// Cost: some 10 ns an axis; 100 ns where a point lies on a wall that doubles do not hold.
+// Cost: some 10 ns an axis; 100 ns where a point lies on a wall that doubles do not hold.  Nothing is searched.
 #pragma once
 
 #include <array>

@@ -18,7 +18,8 @@
 // told apart are compared to a hundred bits, then exactly, as the sign of a determinant of two exact differences.
 // Source: RTCD 7.4.2; Amanatides and Woo 1987.
 // Cost: a few ns a cell, and some 1 us to begin; some 50 ns where two walls are crossed at once or nearly so, and
-// where a closed ray runs in a wall.
+// where a closed ray runs in a wall.  Bounded by a fixed number of operations a cell and axis, on integers as long as
+// the exponents' span.
 #pragma once
 
 #include <limits>

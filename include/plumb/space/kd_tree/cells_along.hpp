@@ -9,7 +9,8 @@
 // A coordinate that is NaN or infinite throws NonFinite, by name.  A direction of zero leaves the origin.
 // Source: RTCD 7.4.1.
 // Cost: a comparison of parameters for each plane that is met: of doubles as given for planes of one axis, of certified
-// signs for others; no parameter is computed.
+// signs for others; no parameter is computed.  Bounded by n comparisons for n cells, on integers as long as the
+// exponents' span.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,8 @@
 // A triangle that names a vertex that there is not throws InvalidShape, NaN and infinity NonFinite, numbers of places
 // that differ UnequalLengths, by name; nothing is changed then.
 // Source: RTCD 5.5, 6.2.3.
-// Cost: three trees, in all of three times as many items as triangles; next_frame a tenth of that.
+// Cost: three trees, in all of three times as many items as triangles; next_frame a tenth of that.  Bounded by n^2
+// operations, as build_bvh is (space/bvh/build.hpp).
 #pragma once
 
 #include <array>

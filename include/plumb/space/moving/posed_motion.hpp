@@ -11,7 +11,7 @@
 // Source: RTCD 3.2, 4.2.6, 5.5, 6.3.3; Provot 1997.
 // Cost: under one regular pose, without a separation, that of the mesh without it.  Else two boxes for each node
 // and vertex, a microsecond for each pair whose boxes meet, and tens for each that meets or nearly does; with
-// a separation ten times as many.
+// a separation ten times as many.  Bounded by n^2 contacts of pairs, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/arith/pose.hpp"

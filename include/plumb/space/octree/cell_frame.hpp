@@ -12,7 +12,7 @@
 // a cell of the deepest level; no other limit is set to their magnitudes.
 // NaN and infinity throw NonFinite.
 // Source: RTCD 7.3.3, 7.3.4.
-// Cost: a product, a rounding and two comparisons for each number.
+// Cost: a product, a rounding and two comparisons for each number.  Nothing is searched.
 #pragma once
 
 #include <array>

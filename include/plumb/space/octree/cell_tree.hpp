@@ -13,7 +13,8 @@
 // it is the upper half.  (3) items holds for each cell a run, which those of its children lie in.  (4) locate(point) is
 // the leaf that the point is in, no_cell of a point outside the root.
 // Source: RTCD 7.3.1, 7.3.3 to 7.3.5; Gargantini 1982 and Morton 1966 for the codes.
-// Cost: 24 bytes a cell.  locate: a step a level, of which there are 21 at most in space, 31 in the plane.
+// Cost: 24 bytes a cell.  locate: a step a level, of which there are 21 at most in space, 31 in the plane.  Nothing
+// is searched.
 #pragma once
 
 #include <bit>

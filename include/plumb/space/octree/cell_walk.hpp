@@ -13,7 +13,8 @@
 // Where a ray crosses which border first is told by the sign of (c - o.x) d.y - (d - o.y) d.x, certified: no parameter
 // is computed, none adds up.  NaN and infinity throw NonFinite.
 // Source: RTCD 7.4.1; Revelles, Urena and Lastra 2000 for octrees by parameters.
-// Cost: some 20 comparisons of borders for each cell that is entered on the way; no recursion.
+// Cost: some 20 comparisons of borders for each cell that is entered on the way; no recursion.  Bounded by n log n
+// comparisons for n cells, the order along the way, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/space/octree/cell_tree.hpp"

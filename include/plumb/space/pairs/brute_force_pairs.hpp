@@ -5,7 +5,7 @@
 // the pairs round.
 // A number that is NaN or infinite throws NonFinite, a box that is empty InvalidShape; both name the box.
 // Source: RTCD 2.4.1.
-// Cost: n^2 / 2 tests of two boxes, a * b for two sets; always on the caller's thread.
+// Cost: n^2 / 2 tests of two boxes, a * b for two sets; always on the caller's thread.  Bounded by n^2 comparisons.
 #pragma once
 
 #include <span>

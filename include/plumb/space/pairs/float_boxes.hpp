@@ -2,7 +2,7 @@
 //
 // Laws: a float stands for exactly the real number that it is, so a widened box is the same set of points.
 // Source: RTCD 2.4.1.
-// Cost: a conversion a number.
+// Cost: a conversion a number.  Nothing is searched.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@
 // Coordinates must be finite; an index must name a vertex.
 // Source: RTCD 5.2.10.
 // Cost: two signs of orient3d for neighbors by a vertex, one for neighbors by an edge, where they are not coplanar; some
-// microseconds for triangles without area.
+// microseconds for triangles without area.  Nothing is searched.
 #pragma once
 
 #include <array>

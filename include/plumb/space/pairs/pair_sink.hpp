@@ -10,7 +10,7 @@
 //
 // Laws: the pairs and their order are the same in each; blocks come one after the other, never two at a time.
 // Source: RTCD 2.4.1.
-// Cost: a call for some hundred pairs.
+// Cost: a call for some hundred pairs.  Nothing is searched.
 #pragma once
 
 #include <cstddef>

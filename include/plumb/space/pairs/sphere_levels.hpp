@@ -12,7 +12,8 @@
 // tests the interval is no wider.  (5) An empty tree meets nothing, and its distance is infinite.
 // A level that a tree does not have stands for its last.  Options out of range throw InvalidShape.
 // Source: RTCD 6.4.3, 6.4.4; Hubbard 1995, Quinlan 1994.
-// Cost: some ns for each pair of spheres that is compared, 50 for each whose distance is bounded.
+// Cost: some ns for each pair of spheres that is compared, 50 for each whose distance is bounded.  Bounded by n^2 log
+// n operations for n spheres of both, the order by distance, and by most_tests.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,8 @@
 // volumes.  Of a tree that is not one of its mesh, or that does not enclose it, nothing is promised; the first throws
 // InvalidShape where its shape tells.
 // Source: RTCD 6.1.2, 6.3.3, 6.4.
-// Cost: N_v C_v + N_p C_p, of which pair_work says N_v and N_p.
+// Cost: N_v C_v + N_p C_p, of which pair_work says N_v and N_p.  Bounded by n^2 tests of volumes and of triangles, on
+// integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/space/bvh/volume_mesh.hpp"

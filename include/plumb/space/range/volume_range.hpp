@@ -10,7 +10,7 @@
 // where there is anything to ask.
 // Source: RTCD 6.3.1, 6.4.
 // Cost: intersects(figure, volume) for each child of a node that is entered, intersects(triangle, figure) for the
-// triangles of leaves.
+// triangles of leaves.  Bounded by n tests of volumes and of triangles, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>

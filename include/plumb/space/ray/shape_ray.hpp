@@ -10,7 +10,8 @@
 // Laws: (1) the first item is that of the least parameter, of equal ones that of the lowest number; all items are in
 // that order, each once.  (2) They are those of asking every item.
 // Source: RTCD 5.3, 6.3.2.
-// Cost: the descent, and `parameter` for the items of the leaves that it comes to.
+// Cost: the descent, and `parameter` for the items of the leaves that it comes to.  Bounded by n log n operations for
+// n items, their order along the ray.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Of which type is this figure?  What a view of it forgot.
 //
-// Cost: a jump.
+// Cost: a jump.  Nothing is searched.
 #pragma once
 
 #include "plumb/query/body/pairs.hpp"
