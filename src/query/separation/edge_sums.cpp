@@ -63,7 +63,7 @@ bool EdgeSum::take_pose(const RigidPose& by) {
   return true;
 }
 
-bool EdgeSum::take_pose(const PoseView& by) {
+bool EdgeSum::take_pose(const AnyPoseView& by) {
   const auto* chain = std::get_if<const RigidChain*>(&by.by);
   if (by.stands() || (chain != nullptr && (*chain)->links.empty())) {
     columns = {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}};

@@ -38,7 +38,7 @@ struct EdgeSum {
   PoseForm form = PoseForm::none;
   std::array<Vector3, 3> columns;  // about these, as `at`, of the pose that is of other numbers
   double weight = 1;
-  PoseView pose;
+  AnyPoseView pose;
 
   /// False where it is none.
   bool set(const PosedView& v);
@@ -46,7 +46,7 @@ struct EdgeSum {
  private:
   template <class Shape>
   bool take(const Shape& s);
-  bool take_pose(const PoseView& pose);
+  bool take_pose(const AnyPoseView& pose);
   bool take_pose(const RigidPose& pose);
   void take_edge(const Vector3& axis, const Vector3& begin, const Vector3& end);
 };

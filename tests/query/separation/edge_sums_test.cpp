@@ -19,7 +19,7 @@ using Shape = std::variant<Point3, Segment3, Rectangle3, Sphere3, Aabb3, Obb3, C
 
 query::PosedView seen(const Shape& shape, const RigidCase* by) {
   const auto view = std::visit([](const auto& s) { return query::view_of(s); }, shape);
-  return {view, by == nullptr ? query::PoseView() : by->view(3)};
+  return {view, by == nullptr ? AnyPoseView() : by->view(3)};
 }
 
 /// By the search in rational numbers.
