@@ -12,7 +12,7 @@
 namespace plumb::query {
 namespace {
 
-/// Of which the bound of the error is that of either, so that it is one constant whichever way was taken.
+/// As sure as the less sure of the two, so that the bound is one constant whichever way was taken.
 template <class T>
 [[gnu::always_inline]] inline T as_wide_as(const T& x, const T& other) {
   return {x.high, x.low, x.magnitude, T::larger(x.error, other.error), T::larger(x.width, other.width)};
@@ -61,7 +61,7 @@ struct PoseNumbersOver {
         weight(p.weight.renewed(error)) {}
 
  private:
-  static constexpr double error = 0x1p10;  // about that of a few links
+  static constexpr double error = 0x1p10;  // a guess, of a few links; whatever it is, the bound holds
 };
 template <class T>
 [[gnu::always_inline]] inline WeightedPose<T> pose_over(const EdgeSum& s) {
@@ -141,7 +141,7 @@ struct PlacedSum<T, PoseForm::other> {
   }
   [[gnu::always_inline]] static Vec3<T> between(const PlacedSum& a, const PlacedSum& b, const Vec3<T>& on_a,
                                                 const Vec3<T>& on_b) {
-    constexpr double error = 0x1p30;  // so far may the bodies be from the origin, seen from one another
+    constexpr double error = 0x1p30;  // a guess: how far from the origin, seen from one another
     return renewed(b.by_weight(on_a) - a.by_weight(on_b), error);
   }
 };
