@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
 #include "certify/exact_axes.hpp"
 #include "certify/statements/golden_statements.hpp"
@@ -14,26 +12,13 @@
 #include "certify/statements/promised_share.hpp"
 #include "certify/statements/proved_statements.hpp"
 #include "certify/written_axes.hpp"
+#include "counted_allocations.hpp"
 #include "figure/minkowski/zonotope.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/degenerate/points.hpp"
 #include "plumb/figure/obb/obb.hpp"
 #include "plumb/query/overlap/overlap.hpp"
-
-namespace {
-
-int allocations = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace plumb {
 namespace {
@@ -176,16 +161,6 @@ Obb3 aligned(Entropy& e) {
   return box;
 }
 TEST(FifteenAxes, StackedAlignedAndNearlyParallelBoxesAreAnsweredWithoutAllocation) {
-  void* (*allocate)(std::size_t);
-  void* (*reallocate)(void*, std::size_t, std::size_t);
-  void (*release)(void*, std::size_t);
-  mp_get_memory_functions(&allocate, &reallocate, &release);
-  mp_set_memory_functions(
-      [](std::size_t size) {
-        ++allocations;
-        return std::malloc(size);
-      },
-      reallocate, release);
   std::array<Tally, 5> tallies;
   constexpr std::array names{"stacked", "aligned", "nearly parallel", "skew integers", "a plane of axes"};
   for (std::uint64_t i = 0; i < 600; ++i) {
@@ -223,7 +198,6 @@ TEST(FifteenAxes, StackedAlignedAndNearlyParallelBoxesAreAnsweredWithoutAllocati
       ASSERT_FALSE(testing::Test::HasFatalFailure());
     }
   }
-  mp_set_memory_functions(allocate, reallocate, release);
   EXPECT_GT(allocations, 1000);  // of the other statements
   const auto& [stacked, whole, nearly, skew, plane] = tallies;
   EXPECT_EQ(stacked.pairs, 600);

@@ -1,34 +1,11 @@
 // Does a contact of boxes take memory where doubles decide?  Every allocation of this program is counted, those of GMP as
 // well.
-#include <gmp.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
+#include "counted_allocations.hpp"
 #include "plumb/query/contact/contact.hpp"
-
-namespace {
-
-int taken = 0;
-
-void* counted(std::size_t size) {
-  ++taken;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void* counted_again(void* p, std::size_t, std::size_t size) {
-  ++taken;
-  return std::realloc(p, size);
-}
-void released(void* p, std::size_t) { std::free(p); }
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace plumb {
 namespace {
@@ -41,7 +18,6 @@ std::array<Vector3, 3> axes(double yaw, double slope) {
 
 /// How many of 64 crates on a table or a slope, turned about the upright axis, take memory.
 int takers(double slope, double height, bool with_cache) {
-  mp_set_memory_functions(counted, counted_again, released);
   int count = 0;
   for (int i = 0; i < 64; ++i) {
     const auto under = axes(0, slope), upon = axes(0.1 * i + 0.05, slope);
@@ -50,9 +26,9 @@ int takers(double slope, double height, bool with_cache) {
     const Obb3 crate{{h * up.x, h * up.y, h * up.z}, upon, {0.5, 0.5, 0.5}}, ground{{0, 0, 0}, under, {8, 0.5, 8}};
     ContactCache cache;
     for (int frame = 0; frame < 2; ++frame) {
-      const int before = taken;
+      const int before = allocations;
       const auto m = contact(crate, ground, {.margin = 0.01}, with_cache ? &cache : nullptr);
-      count += taken == before ? 0 : 1;
+      count += allocations == before ? 0 : 1;
       EXPECT_EQ(m->corners.size(), 4U);
     }
   }
@@ -68,10 +44,10 @@ TEST(ContactAllocations, NoneOfCratesThatRestOrNearlyDo) {
 }
 
 TEST(ContactAllocations, AreCounted) {
-  const int before = taken;
+  const int before = allocations;
   const Aabb3 box{{0, 0, 0}, {2, 2, 2}};
   EXPECT_TRUE(exact_contact(box, box));  // in rational numbers
-  EXPECT_GT(taken, before);
+  EXPECT_GT(allocations, before);
 }
 
 }  // namespace

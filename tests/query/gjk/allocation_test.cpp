@@ -1,32 +1,11 @@
 // Does GJK allocate where doubles decide?  Every allocation of this program is counted.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "certify/sanitized.hpp"
+#include "counted_allocations.hpp"
 #include "plumb/degenerate.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "plumb/query/gjk/gjk.hpp"
-
-namespace {
-
-std::size_t allocations = 0;
-
-void* counted(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
 
 namespace plumb {
 namespace {
@@ -42,7 +21,7 @@ template <class Question>
 std::size_t allocating(std::size_t asked, Question question) {
   std::size_t some = 0;
   for (std::size_t i = 0; i < asked; ++i) {
-    const std::size_t before = allocations;
+    const int before = allocations;
     question(i);
     some += allocations != before ? 1 : 0;
   }
@@ -51,7 +30,7 @@ std::size_t allocating(std::size_t asked, Question question) {
 
 TEST(GjkAllocations, AreNoneWhereDoublesDecide) {
   { const std::vector<int> one(1); }
-  EXPECT_GT(allocations, 0U);  // so they are counted
+  EXPECT_GT(allocations, 0);  // so they are counted
   const std::size_t pairs = battery::sanitized ? 20 : 200;
   for (const std::size_t n : {std::size_t{8}, std::size_t{32}, std::size_t{128}}) {
     Entropy entropy(77, n);

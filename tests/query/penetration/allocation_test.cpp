@@ -1,36 +1,13 @@
 // Does penetration take memory where doubles decide?  Every allocation of this program is counted, those of GMP as well.
-#include <gmp.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
+#include "counted_allocations.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/figure/basic/convexity.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "plumb/query/penetration/penetration.hpp"
-
-namespace {
-
-int taken = 0;
-
-void* counted(std::size_t size) {
-  ++taken;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void* counted_again(void* p, std::size_t, std::size_t size) {
-  ++taken;
-  return std::realloc(p, size);
-}
-void released(void* p, std::size_t) { std::free(p); }
-
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace plumb {
 namespace {
@@ -38,7 +15,7 @@ namespace {
 /// In [-1, 1], of 20 bits.
 class Numbers {
  public:
-  explicit Numbers(std::uint64_t i) : entropy_(81, i) { mp_set_memory_functions(counted, counted_again, released); }
+  explicit Numbers(std::uint64_t i) : entropy_(81, i) {}
   double operator()() { return std::ldexp(static_cast<double>(entropy_.within(1 << 20)), -20); }
   Vector3 vector() { return {(*this)(), (*this)(), (*this)()}; }
   Point3 point() { return {(*this)(), (*this)(), (*this)()}; }
@@ -55,9 +32,9 @@ void expect_none(int pairs, Make make) {
     Numbers n(i);
     const auto a = make(n), b = make(n);
     if (!penetration(a, b)) continue;
-    const int before = taken;
+    const int before = allocations;
     const auto p = penetration(a, b);
-    EXPECT_EQ(taken, before) << i;
+    EXPECT_EQ(allocations, before) << i;
     deep += p->depth > 0 ? 1 : 0;
     ASSERT_LT(i, 100000U);
   }
@@ -74,10 +51,10 @@ TEST(PenetrationAllocations, NoneOfBoxes) {
 TEST(PenetrationAllocations, NoneOfAlignedBoxesThatAreAsNearEveryWay) {
   const Aabb3 box{{0, 0, 0}, {2, 2, 2}};
   const Obb3 same{{1, 1, 1}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {1, 1, 1}};
-  const int before = taken;
+  const int before = allocations;
   EXPECT_EQ(penetration(box, same)->depth, 2);
   EXPECT_EQ(penetration(box, box)->depth, 2);
-  EXPECT_EQ(taken, before);
+  EXPECT_EQ(allocations, before);
 }
 
 TEST(PenetrationAllocations, NoneOfTetrahedraAndSmallHulls) {
@@ -92,18 +69,18 @@ TEST(PenetrationAllocations, NoneOfTetrahedraAndSmallHulls) {
   int deep = 0;
   for (std::size_t i = 0; i + 1 < hulls.size(); ++i) {
     if (!penetration(hulls[i], hulls[i + 1])) continue;
-    const int before = taken;
+    const int before = allocations;
     deep += penetration(hulls[i], hulls[i + 1])->depth > 0 ? 1 : 0;
-    EXPECT_EQ(taken, before) << i;
+    EXPECT_EQ(allocations, before) << i;
   }
   EXPECT_GE(deep, 20);
 }
 
 TEST(PenetrationAllocations, AreCounted) {
-  const int before = taken;
+  const int before = allocations;
   const Aabb3 box{{0, 0, 0}, {2, 2, 2}};
   EXPECT_TRUE(exact_penetration(box, box));  // in rational numbers
-  EXPECT_GT(taken, before);
+  EXPECT_GT(allocations, before);
 }
 
 }  // namespace

@@ -1,24 +1,10 @@
 // What does it cost that two figures have nothing in common?  A few signs, and not one allocation.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "counted_allocations.hpp"
 #include "figure/basic/shape_cases.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/section/intersection.hpp"
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-}
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace plumb {
 namespace {
@@ -67,9 +53,9 @@ void hold_misses() {
     const A a = random.figure<A>();
     const B b = random.figure<B>();
     const bool missed = !intersects(a, b);
-    const std::size_t before = allocations;
+    const int before = allocations;
     const bool empty = intersection(a, b).empty();
-    const std::size_t made = allocations - before;
+    const int made = allocations - before;
     EXPECT_EQ(empty, missed) << index;
     if (!missed) continue;
     ++misses;
