@@ -99,6 +99,14 @@ constexpr bool has_corners_as_given(FigureKind kind) {
              FigureKind::holed_polygon, FigureKind::tetrahedron, FigureKind::aabb, FigureKind::convex_polyhedron});
 }
 
+template <class Shape>
+bool holds_place(const Shape& s, const arith::Vec<double>& p) {
+  if constexpr (figure_dimension<Shape> == 2) {
+    return contains(s, Point2{p.x, p.y});
+  } else {
+    return contains(s, Point3{p.x, p.y, p.z});
+  }
+}
 /// Of an inner figure whose corners are points as given, and the hull of them its own.
 template <class Shape>
 bool holds_corners(const Shape& s, const FigureView& inner) {
@@ -106,13 +114,7 @@ bool holds_corners(const Shape& s, const FigureView& inner) {
     if constexpr (has_corners_as_given(figure_kind<Inner>) && figure_dimension<Inner> == figure_dimension<Shape>) {
       bool all = true;
       if (is_nothing(of)) return all;
-      for_each_corner<double>(of, [&](const arith::Vec<double>& p) {
-        if constexpr (figure_dimension<Inner> == 2) {
-          all = all && contains(s, Point2{p.x, p.y});
-        } else {
-          all = all && contains(s, Point3{p.x, p.y, p.z});
-        }
-      });
+      for_each_corner<double>(of, [&](const arith::Vec<double>& p) { all = all && holds_place(s, p); });
       return all;
     } else {
       return false;
