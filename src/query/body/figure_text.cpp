@@ -158,7 +158,7 @@ void append(std::string& line, std::span<const double> numbers) {
   for (const double x : numbers) line.append(" ").append(hexadecimal(x));
 }
 
-/// By which word a line says how a figure stands?
+/// The word tells how a figure stands.
 template <class By>
 std::string_view word_of_pose() {
   if constexpr (requires(const By& by) { by.columns; }) {

@@ -20,7 +20,7 @@ class Zonotope {
   [[nodiscard]] const EdgeSum& sum() const { return sum_; }
   [[nodiscard]] std::uint32_t normals() const { return normals_; }
   [[nodiscard]] std::array<std::uint32_t, 2> pair(std::uint32_t normal) const { return normal_[normal].of; }
-  /// Of the overlap over the normal's length, in running errors; with the overlap's sign.
+  /// The square is that of the overlap over the normal's length, in running errors, and has the overlap's sign.
   [[nodiscard]] const Running& square(std::uint32_t normal) const { return normal_[normal].square; }
 
   /// Along a normal of two groups, in running errors: times its length; `square` as above.

@@ -204,7 +204,7 @@ KDop3 in_space(const KDop2& k_dop) {
   for (const Vector2& d : k_dop.directions.all()) directions.push_back(plumb::in_space(d));
   return {Directions3(directions), k_dop.min, k_dop.max};
 }
-/// As a rectangle of the plane z = 0.
+/// The box is a rectangle of the plane z = 0.
 Rectangle3 in_space(const Obb2& b) { return {in_space(b.center), {in_space(b.axes[0]), in_space(b.axes[1])}, b.half}; }
 
 /// Rounded once: doubling is exact, before or after.

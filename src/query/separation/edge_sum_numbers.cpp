@@ -12,7 +12,7 @@
 namespace plumb::query {
 namespace {
 
-/// As sure as the less sure of the two, so that the bound is one constant whichever way was taken.
+/// The number is as sure as the less sure of the two, so that the bound is one constant whichever way was taken.
 template <class T>
 [[gnu::always_inline]] inline T as_wide_as(const T& x, const T& other) {
   return {x.high, x.low, x.magnitude, T::larger(x.error, other.error), T::larger(x.width, other.width)};

@@ -41,7 +41,8 @@ class QuickPair {
 /// Of a point strictly within the hull of these corners of the figure, which a plane touches there.
 std::optional<Feature> feature_of_corners(const FigureView& figure, const CoreCorners& c,
                                           std::span<const std::uint32_t> of, const Support& support);
-/// Of a point strictly within the hull of a corner and those that `along`, bit by bit, leads to: of a sum of so many edges.
+/// The feature holds a point strictly within the hull of a corner and those that `along`, bit by bit, leads to; the figure
+/// is a sum of so many edges.
 Feature feature_of_sum(const FigureView& figure, std::size_t edges, std::uint32_t corner, std::uint32_t along);
 /// The same of up to three vertices of a polyhedron; nothing where they are none of its features.
 std::optional<Feature> feature_of_mesh(const ConvexPolyhedron3& solid, std::span<const std::uint32_t> of);

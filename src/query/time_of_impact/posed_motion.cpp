@@ -32,7 +32,7 @@ class PosesInMotion {
     }
   }
 
-  /// By which pose the point goes at this end.
+  /// The pose is the one that the point has at this end.
   [[nodiscard]] std::size_t which(std::size_t point, std::size_t end) const {
     return which(question_.pose(point, end));
   }

@@ -20,7 +20,7 @@ namespace plumb {
 
 namespace query {
 
-/// Of one kind, a point, a segment or a triangle of space.
+/// The corners are of one kind of figure: a point, a segment or a triangle of space.
 struct CornersInMotion {
   PosedView from, to;
 };
