@@ -1,16 +1,22 @@
-// The face of meshes and their files: what is in a file, is it a clean surface, and where does a plane cut it?
+// The face of meshes and their files: what is in a file, is it a clean surface, where does a plane cut it, and
+// how are polygons, points and segments of a plane divided?
 //
 // Meshes are plain structs, with whatever a file from the wild has in it (docs/meshes.md).
 // Source: docs/sections.md, chapters 2 and 12.
 #pragma once
 
-#include "plumb/figure/basic/mesh.hpp"    // TriangleMesh, PolygonMesh
-#include "plumb/surface/decimal.hpp"      // which double a decimal is
-#include "plumb/surface/defects.hpp"      // bow ties, T-junctions, double faces, close vertices
-#include "plumb/surface/mesh_file.hpp"    // formats, and MeshFileError
-#include "plumb/surface/read_mesh.hpp"    // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
-#include "plumb/surface/section.hpp"      // contours of one plane or many
-#include "plumb/surface/shells.hpp"       // components: which lies in which, which is inside out, volumes
-#include "plumb/surface/topology.hpp"     // neighbors, open edges
-#include "plumb/surface/triangulate.hpp"  // polygons into triangles
-#include "plumb/surface/write_mesh.hpp"   // to a file, or to text
+#include "plumb/figure/basic/mesh.hpp"                   // TriangleMesh, PolygonMesh
+#include "plumb/surface/decimal.hpp"                     // which double a decimal is
+#include "plumb/surface/defects.hpp"                     // bow ties, T-junctions, double faces, close vertices
+#include "plumb/surface/mesh_file.hpp"                   // formats, and MeshFileError
+#include "plumb/surface/planar/arrange_segments.hpp"     // crossings, edges, faces and windings of segments
+#include "plumb/surface/planar/convex_pieces.hpp"        // polygons into convex ones
+#include "plumb/surface/planar/delaunay.hpp"             // points and segments into triangles
+#include "plumb/surface/planar/triangulate_polygon.hpp"  // polygons with holes into triangles
+#include "plumb/surface/planar/voronoi.hpp"              // centers of circles, exactly
+#include "plumb/surface/read_mesh.hpp"                   // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
+#include "plumb/surface/section.hpp"                     // contours of one plane or many
+#include "plumb/surface/shells.hpp"                      // components: nesting, which is inside out, volumes
+#include "plumb/surface/topology.hpp"                    // neighbors, open edges
+#include "plumb/surface/triangulate.hpp"                 // polygons into triangles
+#include "plumb/surface/write_mesh.hpp"                  // to a file, or to text

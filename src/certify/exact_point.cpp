@@ -12,6 +12,7 @@
 #include "plumb/arith/ball.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/certify/detail/exact_incircle.hpp"
 #include "plumb/predicates.hpp"
 
 namespace plumb {
@@ -235,6 +236,10 @@ std::size_t hash_value(const ExactPoint3& a) { return certify::hash_of<3>(a); }
 
 Sign orient2d(const ExactPoint2& a, const ExactPoint2& b, const ExactPoint2& c) {
   return certify::sign_at<2>("orient2d", predicates::HomogeneousOrient2d{}, a, b, c);
+}
+
+Sign incircle(const ExactPoint2& a, const ExactPoint2& b, const ExactPoint2& c, const ExactPoint2& d) {
+  return certify::sign_at<2>("incircle", predicates::HomogeneousInCircle{}, a, b, c, d);
 }
 
 Sign orient3d(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c, const ExactPoint3& d) {

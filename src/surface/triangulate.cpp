@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "plumb/predicates.hpp"
-#include "surface/ear_clipping.hpp"
+#include "surface/planar/cut_ring.hpp"
 
 namespace plumb {
 namespace {
 
-using surface::Corners;
-using surface::EarClipping;
+using Corners = std::span<const std::uint32_t>;
 
 Point2 along(const Point3& p, int axis) {
   return axis == 0 ? Point2{p.y, p.z} : axis == 1 ? Point2{p.z, p.x} : Point2{p.x, p.y};
@@ -34,22 +33,21 @@ std::array<double, 3> rounded_normal(std::span<const Point3> vertices, Corners c
 
 struct View {
   int axis;
-  Sign turn;    // of the triangles to be cut off
+  Sign turn;    // of the face, it seems
   double size;  // of the area seen
 };
 
-// The six ways to look, the most promising first: a guess.
-std::array<View, 6> views(std::span<const Point3> vertices, Corners corners) {
+// The three ways to look, the most promising first: a guess.
+std::array<View, 3> views(std::span<const Point3> vertices, Corners corners) {
   auto normal = rounded_normal(vertices, corners, 1);
   const auto finite = [](double x) { return std::isfinite(x); };
   if (!std::all_of(normal.begin(), normal.end(), finite)) normal = rounded_normal(vertices, corners, 0x1p-540);
   if (normal == std::array<double, 3>{}) normal = rounded_normal(vertices, corners, 0x1p+500);
-  std::array<View, 6> found{};
+  std::array<View, 3> found{};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
-    found[k] = {axis, normal[k] < 0 ? Sign::negative : Sign::positive, std::fabs(normal[k])};
-    if (!std::isfinite(found[k].size)) found[k].size = 0;
-    found[k + 3] = {axis, -found[k].turn, -1};
+    const double seen = normal[static_cast<std::size_t>(axis)];
+    found[static_cast<std::size_t>(axis)] = {axis, seen < 0 ? Sign::negative : Sign::positive,
+                                             std::isfinite(seen) ? std::fabs(seen) : 0};
   }
   std::stable_sort(found.begin(), found.end(), [](const View& l, const View& r) { return l.size > r.size; });
   return found;
@@ -78,11 +76,15 @@ bool triangulate_face(std::span<const Point3> vertices, Corners corners, std::ve
     return true;
   }
   std::vector<Point2> points(corners.size());
+  const std::size_t before = out.size();
   for (const View& view : views(vertices, corners)) {
     for (std::size_t k = 0; k < corners.size(); ++k) points[k] = along(vertices[corners[k]], view.axis);
     if (fan(points, corners, view.turn, 0, out)) return true;
     if (corners.size() == 4 && fan(points, corners, view.turn, 1, out)) return true;
-    if (EarClipping(points, view.turn).run(corners, out)) return true;
+    if (!surface::cut_ring(points, out)) continue;
+    for (std::size_t t = before; t < out.size(); ++t)
+      for (std::uint32_t& corner : out[t]) corner = corners[corner];
+    return true;
   }
   fan({}, corners, Sign::zero, 0, out);
   return false;

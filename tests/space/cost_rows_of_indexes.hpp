@@ -26,6 +26,17 @@ inline std::vector<Bvh::Corners> each_third(const std::vector<Bvh::Corners>& tri
   return some;
 }
 
+/// The points in lexicographic order, and back along a line below them all: a polygon that does not cross itself.
+inline Polygon2 star_of(std::vector<Point2> points) {
+  std::sort(points.begin(), points.end(),
+            [](const Point2& l, const Point2& r) { return l.x < r.x || (l.x == r.x && l.y < r.y); });
+  double low = points[0].y;
+  for (const Point2& p : points) low = std::min(low, p.y);
+  points.push_back({points.back().x, 2 * low - 1});
+  points.push_back({points.front().x, 2 * low - 1});
+  return {points};
+}
+
 /// Rooms one behind the other along x, with doors as large as their walls.
 inline PortalCells rooms_along_x(const Cloud& c) {
   std::vector<double> walls;
@@ -347,6 +358,21 @@ inline const CostRow rows_of_indexes[]{
        PolygonMesh mesh{c.a, {}, {0, static_cast<std::uint32_t>(c.a.size())}};
        for (std::uint32_t i = 0; i < c.a.size(); ++i) mesh.corners.push_back(i);
        (void)triangulate(mesh);
+     }},
+    {"delaunay", "surface/planar/delaunay.hpp", quadratic, 20,
+     [](const Cloud& c) {
+       const std::vector<PlanarSegment> edge{{0, 1}};
+       (void)delaunay(c.flat, edge);
+     }},
+    {"triangulate a polygon", "surface/planar/triangulate_polygon.hpp", quadratic, 20,
+     [](const Cloud& c) { (void)triangulate(star_of(c.flat)); }},
+    {"convex_pieces", "surface/planar/convex_pieces.hpp", quadratic, 20,
+     [](const Cloud& c) { (void)convex_pieces(star_of(c.flat)); }},
+    {"arrange_segments", "surface/planar/arrange_segments.hpp", quartic, 200,
+     [](const Cloud& c) {
+       std::vector<Segment2> segments;
+       for (std::size_t i = 0; i + 1 < c.flat.size(); i += 2) segments.push_back({c.flat[i], c.flat[i + 1]});
+       (void)arrange_segments(segments);
      }},
     {"section", "surface/section.hpp", quadratic, 50,
      [](const Cloud& c) {

@@ -5,66 +5,33 @@
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
-#include <plumb/query.hpp>
+#include <plumb/surface.hpp>
 #include <vector>
 
-using plumb::ExactPoint2, plumb::Point2, plumb::Segment2, plumb::Sign;
+using plumb::PlanarArrangement, plumb::Point2, plumb::Segment2;
 
 namespace {
 
-bool before(const ExactPoint2& a, const ExactPoint2& b) { return compare_xy(a, b) == Sign::negative; }
-
-struct Counts {
-  std::size_t vertices, edges, parts, faces, rounded_vertices;
-};
-
-Counts arrange(const std::vector<Segment2>& segments) {
-  // The points of each segment: its ends, and what it has in common with others.
-  std::vector<std::vector<ExactPoint2>> points(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    points[i].insert(points[i].end(), {segments[i].a, segments[i].b});
-    for (std::size_t k = i + 1; k < segments.size(); ++k) {
-      for (const ExactPoint2& p : intersection(segments[i], segments[k]).vertices) {  // of an overlap both ends
-        points[i].push_back(p);
-        points[k].push_back(p);
-      }
-    }
-  }
-  // Each point once, and its number.
-  std::vector<ExactPoint2> vertices;
-  for (auto& of : points) {
-    std::sort(of.begin(), of.end(), before);
-    of.erase(std::unique(of.begin(), of.end()), of.end());
-    vertices.insert(vertices.end(), of.begin(), of.end());
-  }
-  std::sort(vertices.begin(), vertices.end(), before);
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  const auto number = [&](const ExactPoint2& p) {
-    return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), p, before) - vertices.begin());
-  };
-
-  // Edges between neighbors on a segment, each once, where segments overlap; parts by union and find.
-  std::vector<std::pair<std::size_t, std::size_t>> edges;
-  for (const auto& of : points) {
-    for (std::size_t i = 0; i + 1 < of.size(); ++i) edges.emplace_back(number(of[i]), number(of[i + 1]));
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  std::vector<std::size_t> root(vertices.size());
+// What hangs together.
+std::size_t count_parts(const PlanarArrangement& made) {
+  std::vector<std::size_t> root(made.vertices.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t v) {
     while (root[v] != v) v = root[v] = root[root[v]];
     return v;
   };
-  std::size_t parts = vertices.size();
-  for (const auto& [a, b] : edges) {
+  std::size_t parts = made.vertices.size();
+  for (const auto& [a, b] : made.edges) {
     const std::size_t ra = find(a), rb = find(b);
     if (ra == rb) continue;
     root[ra] = rb;
     --parts;
   }
+  return parts;
+}
 
-  // What a program sees that rounds its crossings, each pair's on its own.
+// What a program sees that rounds its crossings, each pair's on its own.
+std::size_t count_rounded_vertices(const std::vector<Segment2>& segments) {
   const auto cross = [](const Segment2& s, const Segment2& t, Point2& p) {
     const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, ex = t.b.x - t.a.x, ey = t.b.y - t.a.y, d = dx * ey - dy * ex;
     const double u = ((t.a.x - s.a.x) * ey - (t.a.y - s.a.y) * ex) / d;
@@ -81,14 +48,15 @@ Counts arrange(const std::vector<Segment2>& segments) {
   }
   std::sort(rounded.begin(), rounded.end());
   rounded.erase(std::unique(rounded.begin(), rounded.end()), rounded.end());
-
-  return {vertices.size(), edges.size(), parts, edges.size() + parts + 1 - vertices.size(), rounded.size()};
+  return rounded.size();
 }
 
 void show(const char* name, const std::vector<Segment2>& segments) {
-  const Counts n = arrange(segments);
-  std::printf("%s: %zu segments, %zu vertices (rounded: %zu), %zu edges, %zu parts, %zu faces\n", name, segments.size(),
-              n.vertices, n.rounded_vertices, n.edges, n.parts, n.faces);
+  const PlanarArrangement made = plumb::arrange_segments(segments);
+  const std::size_t parts = count_parts(made);
+  std::printf("%s: %zu segments, %zu vertices (rounded: %zu), %zu edges, %zu parts, %u faces\n", name, segments.size(),
+              made.vertices.size(), count_rounded_vertices(segments), made.edges.size(), parts, made.faces);
+  if (made.faces != made.edges.size() + parts + 1 - made.vertices.size()) std::printf("Euler disagrees\n");
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 // Laws: a face of n corners gives n - 2 triangles on its own corners: no vertex is invented or left out, and each edge
 // of the face is an edge of just one of them, in the same direction.  Seen along an axis, every point is covered as
 // often as the face winds around it; so a face that projects to a simple polygon is tiled, by triangles of positive
-// area, corners on straight edges and keyhole bridges to holes included.  Every decision is the exact orient2d of
-// projected corners.  The axis is that of the largest normal component, or another one where that one shows no simple
-// polygon.  Where none does (all corners on one line, edges that cross) the face becomes a fan about its first corner,
-// and is counted.
-// Source: RTCD 12.5.1, 12.5.1.1 (ears).  Coverage: winding numbers add up over triangles that all turn the same way.
-// Cost: linear for triangles, quadrilaterals and faces that a fan about the first corner tiles, otherwise at worst
-// quadratic in the corners.  Bounded by n^2 signs a face, on integers as long as the exponents' span.
+// area, corners on straight edges included: a fan about its first corner if that tiles it, else its constrained
+// Delaunay triangulation.  A face that touches itself, at keyhole bridges to holes, say, is tiled as well; what joins
+// its parts has no area.  The axis is that of the largest normal component, or another one where that one shows edges
+// that cross.  Where every one does, or all corners are on one line, the face becomes a fan, and is counted.
+// Source: RTCD 12.5.1, 12.5.1.1; src/surface/planar/cut_ring.hpp.
+// Cost: linear for triangles, quadrilaterals and faces that a fan tiles, otherwise n log n expected.
+// Bounded by n^2 signs a face.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,27 @@
+// Which convex polygons make up a polygon, without new points?
+//
+//   for (const std::vector<std::uint32_t>& piece : convex_pieces(holed)) use(piece);   // indices, counterclockwise
+//
+// Laws: each piece is convex and has area; pieces overlap nowhere and cover what triangulate covers by the same rule;
+// every corner of a piece is a vertex of the polygon, and vertices on straight edges stay.  No two neighbors could be
+// one convex piece along their common edge.  There are at most four times as many pieces as the fewest there can be.
+// Errors are those of triangulate_polygon.hpp.
+// Source: RTCD 12.5.2; Hertel and Mehlhorn 1983.
+// Cost: that of the triangulation, then a sort of its edges.  Bounded by n^2 signs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "plumb/surface/planar/triangulate_polygon.hpp"
+
+namespace plumb {
+
+std::vector<std::vector<std::uint32_t>> convex_pieces(const Polygon2& polygon, WindingRule rule = WindingRule::odd);
+std::vector<std::vector<std::uint32_t>> convex_pieces(const HoledPolygon2& polygon,
+                                                      WindingRule rule = WindingRule::odd);
+
+/// Of triangles that overlap nowhere, joined over the edges that two of them have in common.
+std::vector<std::vector<std::uint32_t>> convex_pieces(std::span<const Point2> points, const CornerTriangles& triangles);
+
+}  // namespace plumb
