@@ -19,7 +19,6 @@
 #pragma once
 
 #include <concepts>
-#include <utility>
 
 #include "arith/approximate.hpp"
 #include "arith/certain.hpp"
@@ -31,13 +30,37 @@
 
 namespace plumb {
 
-/// The world of these numbers, whose signs are told as `Signs` says.
+template <class T>
+concept TellsEverySign = requires(const T& x) {
+  { x.sign() } -> std::same_as<Sign>;
+};
+
+/// The world of these numbers, whose signs are told as `Signs` says.  A statement that makes its numbers by its world
+/// may be asked here as well.
 template <class T, class Signs = CertainSigns>
 struct Carrying : Signs {
   using Number = T;
-  static constexpr WorldKind kind = std::same_as<decltype(std::declval<T>().sign()), Sign> ? WorldKind::integers
-                                    : std::same_as<T, Ball>                                ? WorldKind::pairs
-                                                                                           : WorldKind::floats;
+
+  template <std::size_t scale = 0>
+  [[nodiscard]] T difference(double b, double a) const {
+    return coordinate_difference<T>(b, a);
+  }
+  template <std::size_t scale = 0>
+  [[nodiscard]] T number(double a) const {
+    return T(a);
+  }
+  [[nodiscard]] Sign sign(const T& x) { return (*this)(x); }
+  [[nodiscard]] Sign compare(const T& x, const T& y) { return (*this)(x - y); }
+
+  static constexpr WorldKind kind = TellsEverySign<T>       ? WorldKind::integers
+                                    : std::same_as<T, Ball> ? WorldKind::pairs
+                                                            : WorldKind::floats;
+};
+
+/// Integers on the stack: certain where none takes more than they hold.
+template <class Signs>
+struct Carrying<StackDyadic, Signs> : IntegerWorld {
+  [[nodiscard]] Sign operator()(const StackDyadic& x) const { return x.sign(); }
 };
 
 template <class Signs = CertainSigns>
@@ -45,6 +68,11 @@ using CarriedErrors = Worlds<Carrying<Approximate, Signs>, Carrying<Ball, Signs>
 
 template <class... T>
 using SignWorlds = Worlds<Carrying<T>...>;
+
+/// For a statement whose products may be of very different size: what is as small as the error of the largest one may
+/// be certain by its own.
+template <class Statement>
+using SpreadWorlds = Worlds<FloatWorld<Statement>, PairWorld<Statement>, Carrying<Running>, Carrying<BigDyadic>>;
 
 template <class List, class Text>
 Sign sign_in(const Text& text) {

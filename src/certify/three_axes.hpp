@@ -88,7 +88,7 @@ HWY_INLINE auto parallel(const W& w, const C& columns, const V& v) {
     };
     const Three ax = turned_back(columns.x.value.high), ay = turned_back(columns.y.value.high),
                 az = turned_back(columns.z.value.high);
-    constexpr double safe_unit = 0x1p-1000;  // of multiples of this nothing that a product loses is lost to underflow
+    constexpr double safe_unit = 0x1p-1000;  // a power of two: of its multiples products lose nothing to underflow
     const Truth in_range = above(w.template unit<s>() * w.template unit<t>(), of_all(safe_unit));
     return in_range & equal(ay, z, az, y) & equal(az, x, ax, z) & equal(ax, y, ay, x);
   } else {

@@ -130,6 +130,7 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"src/surface/odd.cpp", "namespace surface {\n}  // namespace surface\n", "not of its folder"},
       {"include/plumb/surface/odd.hpp", "", "named by no face"},
       {"src/query/ray/near.cpp", "constexpr double off = 0x1p-40;\n", "types a bound in line 1"},
+      {"src/certify/near.cpp", "\n// A root and a product: together less than 3 u.\n", "types a bound in line 2"},
       {"src/space/bvh/near.cpp", "constexpr double off = 0x1p-40;\n", "types a bound in line 1"},
       {"src/surface/near.cpp", "\n// No area is off by at most six times that.\n", "types a bound in line 2"},
       {"src/figure/basic/near.cpp", "// A guess.\n\n\n\n\nbool near = x < 3 * filter_constant<F>();\n", "in line 6"},

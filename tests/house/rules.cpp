@@ -63,7 +63,8 @@ bool has_argued_bound(std::string_view line) {
   const std::size_t comment = line.find("//");
   if (comment == std::string_view::npos) return false;
   line.remove_prefix(comment);
-  for (const char* argument : {"off by at most", "off at most", "of the error", "times the error"}) {
+  for (const char* argument : {"off by at most", "off at most", "off by less than two", "together off", "together less",
+                               "of the error", "times the error"}) {
     if (line.find(argument) != std::string_view::npos) return true;
   }
   return false;
@@ -364,14 +365,16 @@ void check_faces(const std::vector<Source>& sources, std::vector<Breach>& out) {
   }
 }
 
-/// What decides a question has a bound that is derived.  The kinds' inputs are made, and their rivals judged, by others.
+/// What decides a question has a bound that is derived, but for what derives bounds, or proves them.  The kinds' inputs
+/// are made, and their rivals judged, by others.
 void check_bounds(const Source& source, std::vector<Breach>& out) {
   const std::string& path = source.path;
-  const auto below = [&path](const std::string& folder) { return path.starts_with(folder); };
-  bool decides = false;
-  for (const std::string folder : {"figure/", "query/", "space/", "surface/"})
-    decides = decides || below("src/" + folder) || below("include/plumb/" + folder);
-  if (!decides || below("src/query/kinds/") || source.typed_bounds.empty()) return;
+  const auto below = [&path](const std::string& folder) {
+    return path.starts_with("src/" + folder) || path.starts_with("include/plumb/" + folder);
+  };
+  const bool decides = below("certify/") || below("figure/") || below("query/") || below("space/") || below("surface/");
+  const bool derives = below("certify/detail/") || below("certify/proof/") || below("certify/environment.");
+  if (!decides || derives || below("query/kinds/") || source.typed_bounds.empty()) return;
   out.push_back({path, "types a bound in line " + std::to_string(source.typed_bounds.front()) +
                            " and says of no guess and no power of two"});
 }

@@ -292,7 +292,7 @@ inline const CostRow rows_of_indexes[]{
        while (walk.next()) {
        }
      }},
-    {"cells_along in an octree", "space/octree/cell_walk.hpp", sorting, 50,
+    {"cells_along in an octree", "space/octree/cell_walk.hpp", sorting, 5,
      [](const Cloud& c) {
        const auto tree = build_octree(c.a);
        for (const Point3& p : asked_points(c)) (void)cells_along(tree.cells, Ray3{c.b[0], vector(p)}, CellWalk::closed);

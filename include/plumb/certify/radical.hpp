@@ -27,8 +27,28 @@ constexpr Sign sum(Sign x, Sign y, Square square) {
   return x * square();
 }
 
-// For the roundings of the terms and of their sum, in halves of ulps, and for their underflow: see sign_of_radical.
-inline constexpr double relative = 0x1p-51, absolute = 0x1p-1070;
+/// Over any number, beside roots that are given.
+struct WithRoot {
+  template <class T>
+  constexpr T operator()(const T& a, const T& b, const T& root) const {
+    return a + b * root;
+  }
+};
+struct WithRoots {
+  template <class T>
+  constexpr T operator()(const T& a, const T& b, const T& root, const T& d, const T& other) const {
+    return a + b * root + d * other;
+  }
+};
+
+/// A number as it is given, or the square root of one: that is rounded once, and never subnormal.
+struct Term {
+  static constexpr Bound given{0, 0}, root{Bound::eps, 0};
+  static Filtered of(double x) { return Filtered(Filtered::Input{x}); }
+  static Filtered root_of(double x) { return of(__builtin_sqrt(x)); }
+};
+/// As filter_constant.
+consteval double constant_of(const Bound& sum) { return static_cast<double>(sum.root + 2) * Bound::unit; }
 
 Sign decide_exactly(double a, double b, double c);
 Sign decide_exactly(double a, double b, double c, double d, double e);
@@ -37,24 +57,23 @@ Sign decide_exactly(double a, double b, double c, double d, double e);
 
 /// The sign of a + b sqrt(c).
 inline Sign sign_of_radical(double a, double b, double c) {
-  // A square root is rounded by u = 2^-53 of itself, the product once more: together less than 3 u |term| + 2^-1074.
-  // The sum's own rounding carries no sign past the threshold, which is a double.
-  const double term = b * __builtin_sqrt(c), value = a + term;
-  const double threshold =
-      certify::radical::relative * (magnitude_of(a) + magnitude_of(term)) + certify::radical::absolute;
-  if (const int s = beyond(value, threshold); s != 0) [[likely]]
+  using certify::radical::Term;
+  constexpr certify::radical::WithRoot sum;
+  constexpr double constant = certify::radical::constant_of(sum(Term::given, Term::given, Term::root));
+  const Filtered value = sum(Term::of(a), Term::of(b), Term::root_of(c));
+  if (const int s = beyond(value.value, constant * value.magnitude); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return certify::radical::decide_exactly(a, b, c);
 }
 
 /// The sign of a + b sqrt(c) + d sqrt(e).
 inline Sign sign_of_radicals(double a, double b, double c, double d, double e) {
-  // Likewise; the first sum's rounding is less than u |first|.
-  const double term = b * __builtin_sqrt(c), other = d * __builtin_sqrt(e), first = a + term, value = first + other;
-  const double threshold =
-      certify::radical::relative * (magnitude_of(first) + magnitude_of(term) + magnitude_of(other)) +
-      certify::radical::absolute;
-  if (const int s = beyond(value, threshold); s != 0) [[likely]]
+  using certify::radical::Term;
+  constexpr certify::radical::WithRoots sum;
+  constexpr double constant =
+      certify::radical::constant_of(sum(Term::given, Term::given, Term::root, Term::given, Term::root));
+  const Filtered value = sum(Term::of(a), Term::of(b), Term::root_of(c), Term::of(d), Term::root_of(e));
+  if (const int s = beyond(value.value, constant * value.magnitude); s != 0) [[likely]]
     return static_cast<Sign>(s);
   return certify::radical::decide_exactly(a, b, c, d, e);
 }

@@ -6,8 +6,7 @@
 #pragma once
 
 #include "arith/vec.hpp"
-#include "plumb/arith/ball.hpp"
-#include "plumb/arith/big.hpp"
+#include "certify/carried_errors.hpp"
 #include "plumb/figure/basic/box.hpp"
 
 namespace plumb::figure {
@@ -20,9 +19,8 @@ N signed_volume_of(const Obb3& box) {
 
 /// The sign of a's volume less b's, exactly.
 inline Sign compare_volumes(const Obb3& a, const Obb3& b) {
-  const auto less = [&]<class N>(N) { return (magnitude(signed_volume_of<N>(a)) - magnitude(signed_volume_of<N>(b))); };
-  const Unsure<Sign> quick = less(Ball{0.0}).sign();
-  return quick.certain() ? quick.value() : less(BigDyadic()).sign();
+  return sign_in<SignWorlds<Ball, BigDyadic>>(
+      [&]<class N>() { return magnitude(signed_volume_of<N>(a)) - magnitude(signed_volume_of<N>(b)); });
 }
 
 }  // namespace plumb::figure

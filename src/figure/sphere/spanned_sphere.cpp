@@ -10,6 +10,7 @@
 #include "arith/big_rounding.hpp"
 #include "arith/twofold.hpp"
 #include "arith/vec.hpp"
+#include "certify/carried_errors.hpp"
 #include "certify/fused.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/sphere/spanned_ball.hpp"
@@ -197,12 +198,11 @@ double rounded_radius(Rounding rounding, const Ball& ball) {
 /// Their squares compared.
 template <class A, class B>
 Sign compared(const A& a, const B& b) {
-  const auto difference_of = [&](auto make) {
+  return sign_in<SignWorlds<Interval, BigDyadic>>([&]<class T>() {
+    const auto make = [](double x) { return T(x); };
     const auto x = a(make), y = b(make);
-    return (x.numerator * y.denominator - y.numerator * x.denominator).sign();
-  };
-  if (const auto quick = difference_of([](double x) { return Interval(x); }); quick.certain()) return quick.value();
-  return difference_of([](double x) { return BigDyadic(x); });
+    return x.numerator * y.denominator - y.numerator * x.denominator;
+  });
 }
 
 template <class Ball>

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "arith/certain.hpp"
+#include "certify/carried_errors.hpp"
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/frame.hpp"
 #include "figure/basic/in_space.hpp"
@@ -31,8 +31,7 @@ std::vector<Vec<T>> vertices(const Lozenge3& l) {
 
 // Of the greatest distance of the inner core from the outer one, against the difference of the radii.
 template <class T, class Shape>
-Unsure<Sign> sign_of_excess(const Shape& outer, const Shape& inner) {
-  CertainSigns ask;
+Sign sign_of_excess(const Shape& outer, const Shape& inner, CertainSigns& ask) {
   const T left = T(outer.radius) - T(inner.radius), square = left * left;
   const figure::swept::Core<T> core = figure::swept::core_of<T>(outer);
   Sign most = Sign::negative;
@@ -43,16 +42,15 @@ Unsure<Sign> sign_of_excess(const Shape& outer, const Shape& inner) {
     });
     most = std::max(most, least);
   }
-  return ask.certain() ? Unsure(most) : Unsure<Sign>();
+  return most;
 }
 
 // A core has no interior: around each of its points the distance from it grows as fast as one goes, some way.
 template <class Shape>
 bool holds(const Shape& outer, const Shape& inner) {
   if (inner.radius > outer.radius) return false;
-  Unsure<Sign> excess = sign_of_excess<Interval>(outer, inner);
-  if (!excess.certain()) excess = sign_of_excess<BigDyadic>(outer, inner);
-  return excess.value() != Sign::positive;
+  return certainly<SignWorlds<Interval, BigDyadic>>(
+             [&]<class T>(Carrying<T>& ask) { return sign_of_excess<T>(outer, inner, ask); }) != Sign::positive;
 }
 
 template <class Shape>

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "arith/certain.hpp"
 #include "arith/rational_lp.hpp"
+#include "certify/carried_errors.hpp"
 #include "figure/basic/in_space.hpp"
 #include "figure/support/quick_gap.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
@@ -11,17 +11,16 @@
 namespace plumb {
 namespace {
 
-// The distance of the cores against the sum of the radii, over numbers of type T; nothing where they do not tell.
+// The distance of the cores against the sum of the radii, over numbers of type T.
 template <class T, class Shape>
-Unsure<Sign> sign_of_gap(const Shape& a, const Shape& b) {
-  CertainSigns ask;
+Sign sign_of_gap(const Shape& a, const Shape& b, CertainSigns& ask) {
   const T reach = T(a.radius) + T(b.radius), square = reach * reach;
   Sign least = Sign::positive;
   figure::swept::visit_distances(figure::swept::core_of<T>(a), figure::swept::core_of<T>(b), ask,
                                  [&](const T& numerator, const T& denominator) {
                                    least = std::min(least, ask(numerator - square * denominator));
                                  });
-  return ask.certain() ? Unsure(least) : Unsure<Sign>();
+  return least;
 }
 
 // Do the relative interiors of two cores meet?  They are the images of open intervals and squares.
@@ -68,9 +67,9 @@ template <class Shape>
 Relation relation(std::string_view function, const Shape& a, const Shape& b) {
   figure::require_sound(function, "a", a);
   figure::require_sound(function, "b", b);
-  Unsure<Sign> gap = sign_of_gap<Interval>(a, b);
-  if (!gap.certain()) gap = sign_of_gap<BigDyadic>(a, b);
-  if (gap.value() != Sign::zero) return static_cast<Relation>(-gap.value());
+  const Sign gap =
+      certainly<SignWorlds<Interval, BigDyadic>>([&]<class T>(Carrying<T>& ask) { return sign_of_gap<T>(a, b, ask); });
+  if (gap != Sign::zero) return static_cast<Relation>(-gap);
   return a.radius == 0 && b.radius == 0 && interiors_meet(a, b) ? Relation::overlapping : Relation::touching;
 }
 

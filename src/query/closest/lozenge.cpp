@@ -1,7 +1,7 @@
 // Lozenges: what is nearest of the parallelogram, and from there toward p by the radius.
 //
 // The far corners need not be doubles: the parts of the core are asked over intervals first, over integers for certain.
-#include "arith/certain.hpp"
+#include "certify/carried_errors.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "query/closest/answers.hpp"
@@ -74,9 +74,8 @@ struct Nearest<Lozenge3> {
   static double radius(const Lozenge3& s) { return s.radius; }
   static Feature feature(const Lozenge3& s, const Point3& p) {
     if (locate(s, p) == Location::inside) return {FeatureKind::interior, 0};
-    CertainSigns quick, sure;
-    const std::uint32_t part = nearest_part<Interval>(s, p, quick);
-    return {FeatureKind::face, quick.certain() ? part : nearest_part<BigDyadic>(s, p, sure)};
+    return {FeatureKind::face, certainly<SignWorlds<Interval, BigDyadic>>(
+                                   [&]<class T>(Carrying<T>& ask) { return nearest_part<T>(s, p, ask); })};
   }
   template <class T>
   static Foot<T> foot(const Lozenge3& s, const Point3& p, const Feature& f) {

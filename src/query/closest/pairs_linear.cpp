@@ -1,6 +1,7 @@
 // Lines, rays and segments against one another: places by signs over doubles, then over pairs of doubles, then over
 // integers; the numbers of the one pair of places likewise.
 #include "arith/twofold.hpp"
+#include "certify/carried_errors.hpp"
 #include "plumb/query/closest/pairs.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/closest/linear_pair.hpp"
@@ -25,9 +26,8 @@ template <class T, class A, class B>
 
 template <class Point>
 [[gnu::noinline]] SpotsOnLines places_exactly(const Straight<Point>& a, const Straight<Point>& b) {
-  if (const auto places = places_over<Twofold<false>>(a, b)) return *places;
-  if (const auto places = places_over<Ball>(a, b)) return *places;
-  return *places_over<BigDyadic>(a, b);
+  return certainly<SignWorlds<Twofold<false>, Ball, BigDyadic>>(
+      [&]<class T>(Carrying<T>& ask) { return closest_places<T>(linear<T>(a), linear<T>(b), ask); });
 }
 
 /// Where they cross no point of theirs is looked at, which may be none.

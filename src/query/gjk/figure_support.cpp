@@ -30,6 +30,12 @@ long power_above(const BigDyadic& x) {
 
 Interval magnitude(const Interval& x) { return Interval(std::max(std::fabs(x.lower), std::fabs(x.upper))); }
 Interval magnitudes(const Vec3<Interval>& v) { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
+/// The length of what has three coordinates up to this.
+Interval diagonal(const Interval& side) { return root(side * side + side * side + side * side); }
+/// What rounding to nearest moves a number up to this.
+Interval moved_by_rounding(double largest) {
+  return (Interval(std::nextafter(largest, HUGE_VAL)) - Interval(largest)) * Interval(0.5);
+}
 
 /// f of what tells farthest points of the figure.
 template <class F>
@@ -69,21 +75,22 @@ Vector3 direction_before(PoseView pose, const Vector3& direction) {
   return {part(0), part(1), part(2)};
 }
 
+double rounding_of_point(double largest) { return diagonal(moved_by_rounding(largest)).upper; }
+
 double rounding_of_image(PoseView pose, double largest, double off) {
   figure::require_sound("support_point", pose);
   const auto [columns, translation, weight] = figure::pose_numbers<Interval>(pose);
   // What stretches most: no coordinate of an image is larger than this times that of the point.
   const Interval stretch = quotient(magnitudes(columns[0]) + magnitudes(columns[1]) + magnitudes(columns[2]), weight);
   const Interval reach = Interval(largest) + Interval(off);
-  // Three coordinates, each of which is the nearest double: together off by less than two of the largest one's steps.
   const double size = (stretch * reach + quotient(magnitudes(translation), weight)).upper;
-  const Interval step = Interval(std::nextafter(size, HUGE_VAL)) - Interval(size);
-  // A direction whose largest coordinate is between a half and one has three that are off by a quarter of the step at
-  // one at most: less than that step together, twice as much of the direction, and so of the longest column.  No point of
-  // the figure, which is less than four times its reach across, can be farther along than the one that is told by more.
-  const Interval grain = Interval(std::nextafter(1.0, 2.0)) - Interval(1.0);
-  const Interval turned = stretch * reach * grain * Interval(8.0);
-  const double most = (stretch * Interval(off) + step + step + turned).upper;
+  const Interval moved = diagonal(moved_by_rounding(size));
+  // The farthest point is told along a rounded direction, whose largest coordinate is in [1/2, 1]: along the exact one
+  // another point can be farther by what the directions differ times how far both points are apart.
+  constexpr double least_of_direction = 0.5, most_of_direction = 1;
+  const Interval turn = quotient(diagonal(moved_by_rounding(most_of_direction)), Interval(least_of_direction));
+  const Interval across = Interval(2.0) * diagonal(reach);
+  const double most = (stretch * (Interval(off) + (across + Interval(off)) * turn) + moved).upper;
   if (!figure::is_real(most) || !figure::is_real(size))
     throw BeyondDoubles("support_point: the image of a figure under its pose is beyond all doubles");
   return most;

@@ -15,9 +15,7 @@
 #include <optional>
 #include <utility>
 
-#include "arith/approximate.hpp"
-#include "plumb/arith/big.hpp"
-#include "plumb/arith/stack_dyadic.hpp"
+#include "certify/carried_errors.hpp"
 #include "plumb/arith/structural_zero.hpp"
 #include "plumb/query/lp/linear_program.hpp"
 
@@ -75,10 +73,7 @@ Sign sign_over_all(const Formula& formula) {
   if (quick != 0) [[likely]]
     return static_cast<Sign>(quick);
   if (formula([](double x) { return StructuralZero(x == 0); }).certain) return Sign::zero;
-  StackDyadic::clear_range();
-  const Sign s = formula([](double x) { return StackDyadic(x); }).sign();
-  if (!StackDyadic::left_range()) return s;
-  return formula([](double x) { return BigDyadic(x); }).sign();
+  return sign_in<SignWorlds<StackDyadic, BigDyadic>>([&]<class T>() { return formula([](double x) { return T(x); }); });
 }
 
 template <class T>

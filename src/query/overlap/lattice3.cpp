@@ -5,52 +5,36 @@
 #include <cstdint>
 
 #include "plumb/arith/coordinate_pairs.hpp"
-#include "query/overlap/lattice_volumes.hpp"
+#include "plumb/certify/certainly.hpp"
+#include "query/overlap/lattice_worlds.hpp"
 #include "query/overlap/linear3.hpp"
 #include "query/overlap/quick2.hpp"
-#include "query/overlap/wide_volumes.hpp"
 
 namespace plumb::query {
 namespace {
 
-std::optional<Relation> of_one_line(const Segment3& s, const Triangle3& t, std::size_t axis) {
-  return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), axis);
-}
-
 /// The corners of the triangle are 0, 1, 2, the ends of the segment 3, 4.
-template <class Step>
-class SegmentSigns : public LatticeVolumes<Step, 5> {
+template <class Points, class Step>
+class SegmentSigns : public VolumeSigns<Points, Step> {
  public:
-  using LatticeVolumes<Step, 5>::LatticeVolumes;
+  using VolumeSigns<Points, Step>::VolumeSigns;
 
   [[nodiscard]] SegmentAreas<double> areas(std::size_t axis) const {
-    return this->seen_along(axis, [](const auto& at, const auto& told) {
+    const std::size_t right = (axis + 1) % 3, up = (axis + 2) % 3;
+    const auto told_all = [](const auto& at, const auto& told) {
       return told_areas(segment_areas(at(1), at(2), at(3), at(4)), told);
-    });
-  }
-  [[nodiscard]] std::optional<Relation> straight(const Segment3& s, const Triangle3& t) const {
-    const auto axis = running_axis(this->points_);
-    return axis ? of_one_line(s, t, *axis) : std::nullopt;
-  }
-};
-
-/// Areas are told one by one.
-struct WideSegmentSigns : WideVolumes<5> {
-  using WideVolumes<5>::WideVolumes;
-  static constexpr bool doubles_first = true;
-  static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
-  [[nodiscard]] SegmentAreas<double> areas(std::size_t axis) const {
-    const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
-      return static_cast<double>(area(axis, i, j, k));
     };
-    const double all = at(0, 1, 2);
-    if (all == 0) return {};
-    const auto with = [&](std::size_t i) { return Three<double>{at(0, 1, i), at(1, 2, i), at(2, 0, i)}; };
-    return {all, with(3), with(4), {at(3, 4, 0), at(3, 4, 1), at(3, 4, 2)}};
-  }
-  [[nodiscard]] std::optional<Relation> straight(const Segment3& s, const Triangle3& t) const {
-    const auto axis = running_axis();
-    return axis ? of_one_line(s, t, *axis) : std::nullopt;
+    if constexpr (requires { this->points_.seen(0, 1, told_all); }) {
+      return this->points_.seen(right, up, told_all);
+    } else {
+      const auto at = [&](std::size_t i, std::size_t j, std::size_t k) {
+        return static_cast<double>(this->points_.turn(right, up, i, j, k));
+      };
+      const double all = at(0, 1, 2);
+      if (all == 0) return {};
+      const auto with = [&](std::size_t i) { return Three<double>{at(0, 1, i), at(1, 2, i), at(2, 0, i)}; };
+      return {all, with(3), with(4), {at(3, 4, 0), at(3, 4, 1), at(3, 4, 2)}};
+    }
   }
 };
 
@@ -66,7 +50,9 @@ std::optional<Relation> relate_in_plane(const Segment3& s, const Triangle3& t, c
     if (s.a == s.b) return {};
     return relation(sign_of_number(depth(areas)));
   }
-  return signs.straight(s, t);
+  const auto axis = signs.running_axis();
+  if (!axis) return {};
+  return relate_straight<3>(std::bit_cast<std::array<double, 6>>(s), std::bit_cast<std::array<double, 9>>(t), *axis);
 }
 
 template <class Signs>
@@ -183,11 +169,9 @@ std::optional<Relation> by_lattice(const Segment3& s, const Triangle3& t) {
     Triangle3 t;
     Segment3 s;
   };
-  const auto coordinates = std::bit_cast<std::array<double, 15>>(Both{t, s});
-  const auto ask = [&](const auto& signs) { return relate_by_signs(s, t, signs); };
-  if (const LatticePoints<5, 3> points(coordinates); points.is_lattice()) return by_lattice<SegmentSigns>(points, ask);
-  if (const WideSegmentSigns wide(coordinates); wide.is_lattice()) return ask(wide);
-  return {};
+  return certainly<LatticeWorlds<SegmentSigns, 5>>([&](const auto& signs) { return relate_by_signs(s, t, signs); },
+                                                   std::bit_cast<std::array<double, 15>>(Both{t, s}),
+                                                   [] { return std::optional<Relation>(); });
 }
 
 std::optional<Relation> by_short_plane(const Triangle3& a, const Triangle3& b, double error) {

@@ -26,6 +26,8 @@ inline constexpr int exact_area_bits = 50;
 template <std::size_t N, std::size_t D>
 class LatticePoints {
  public:
+  static constexpr std::size_t count = N;
+
   explicit LatticePoints(const std::array<double, N * D>& coordinates) {
     if (const LatticeIntegers<N * D> all(coordinates); all.bits() != 0) {
       is_lattice_ = true;
@@ -40,12 +42,8 @@ class LatticePoints {
   [[nodiscard]] std::int64_t difference(std::size_t from, std::size_t to, std::size_t axis) const {
     return at_[to][axis] - at_[from][axis];
   }
-  /// Do all points have one coordinate there?
-  [[nodiscard]] bool is_level(std::size_t axis) const {
-    std::int64_t any = 0;
-    for (std::size_t i = 1; i < N; ++i) any |= at_[i][axis];
-    return any == 0;
-  }
+  /// Has the point the first one's coordinate?
+  [[nodiscard]] bool is_first(std::size_t i, std::size_t axis) const { return at_[i][axis] == 0; }
   /// As seen with one axis to the right and one up: made(at, told), where at(i) is a point and told makes a double of
   /// an area, of the same sign.
   template <class Make>
@@ -66,14 +64,11 @@ class LatticePoints {
           return static_cast<double>(arith::settled_sign(x, error));
         });
   }
-  /// Do all points lie on one line, as seen so?
-  [[nodiscard]] bool is_straight(std::size_t right, std::size_t up) const {
-    std::size_t far = 1;
-    while (far + 1 < N && at_[far][right] == 0 && at_[far][up] == 0) ++far;
-    return seen(right, up, [far](const auto& at, const auto& told) {
-      bool straight = true;
-      for (std::size_t i = far + 1; i < N; ++i) straight = straight && told(area(at(far), at(i))) == 0;
-      return straight;
+  /// How three points turn, as seen so.
+  [[nodiscard]] Sign turn(std::size_t right, std::size_t up, std::size_t i, std::size_t j, std::size_t k) const {
+    return seen(right, up, [&](const auto& at, const auto& told) {
+      const auto p = at(i), q = at(j), r = at(k);
+      return sign_of_number(told((area(p, q) + area(q, r)) - area(p, r)));
     });
   }
 
@@ -104,6 +99,23 @@ class LatticePoints {
   std::array<int, D> bits_;
   bool is_lattice_ = false;
 };
+
+/// Do all points have one coordinate there?
+template <class Points>
+bool is_level(const Points& points, std::size_t axis) {
+  std::size_t i = 1;
+  while (i < Points::count && points.is_first(i, axis)) ++i;
+  return i == Points::count;
+}
+/// Do all points lie on one line, as seen with one axis to the right and one up?
+template <class Points>
+bool is_straight(const Points& points, std::size_t right, std::size_t up) {
+  std::size_t far = 1;
+  while (far + 1 < Points::count && points.is_first(far, right) && points.is_first(far, up)) ++far;
+  std::size_t i = far + 1;
+  while (i < Points::count && points.turn(right, up, 0, far, i) == Sign::zero) ++i;
+  return i >= Points::count;
+}
 
 /// Of two sets of points of one line, along an axis in which that line runs: by the coordinates as given.
 template <std::size_t Dimension, std::size_t N, std::size_t M>

@@ -54,9 +54,7 @@ Relation in_plane(const Linear3& a, const Triangle3& b) {
 std::size_t likely_axis(const Triangle3& t) {
   const double ux = t.b.x - t.a.x, uy = t.b.y - t.a.y, uz = t.b.z - t.a.z;
   const double vx = t.c.x - t.a.x, vy = t.c.y - t.a.y, vz = t.c.z - t.a.z;
-  const double x = magnitude_of(uy * vz - uz * vy), y = magnitude_of(uz * vx - ux * vz),
-               z = magnitude_of(ux * vy - uy * vx);
-  return x > y ? (x > z ? 0 : 2) : y > z ? 1 : 2;
+  return axis_across(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
 }
 
 std::size_t telling_axis(const Triangle3& t) {

@@ -37,6 +37,11 @@ inline Linear3 linear(const Line3& l) { return Linear3::along(LinearKind::line, 
 inline Linear3 linear(const Ray3& r) { return Linear3::along(LinearKind::ray, r.origin, r.direction); }
 inline Linear3 linear(const Segment3& s) { return Linear3::through(LinearKind::segment, s.a, s.b); }
 
+/// The axis along which most is seen of a plane with this normal.
+constexpr std::size_t axis_across(double x, double y, double z) {
+  const double of_x = magnitude_of(x), of_y = magnitude_of(y), of_z = magnitude_of(z);
+  return of_x > of_y ? (of_x > of_z ? 0 : 2) : of_y > of_z ? 1 : 2;
+}
 /// The axis along which doubles see most of the triangle.
 std::size_t likely_axis(const Triangle3& t);
 /// An axis along which the triangle has an area; 3 when it has none.

@@ -17,8 +17,7 @@ Sign turn(const Point3& p, const Point3& q, const Point3& r, std::size_t axis) {
 }
 
 /// All corners of b are a's, each once.
-std::optional<Relation> of_same(const Triangle3& a) {
-  const std::size_t likely = likely_axis(a);
+std::optional<Relation> of_same(const Triangle3& a, std::size_t likely) {
   for (const std::size_t axis : {likely, (likely + 1) % 3, (likely + 2) % 3}) {
     if (turn(a.a, a.b, a.c, axis) != Sign::zero) return Relation::overlapping;
   }
@@ -27,8 +26,7 @@ std::optional<Relation> of_same(const Triangle3& a) {
 
 /// The edge v w is shared, the third corner of b is not surely off a's plane.
 std::optional<Relation> at_edge(const Triangle3& a, const Point3& v, const Point3& w, const Point3& of_a,
-                                const Point3& of_b) {
-  const std::size_t axis = likely_axis(a);
+                                const Point3& of_b, std::size_t axis) {
   const Sign turned_a = turn(v, w, of_a, axis);
   if (turned_a == Sign::zero) return {};
   if (orient3d(a.a, a.b, a.c, of_b) != Sign::zero) return Relation::touching;
@@ -80,10 +78,16 @@ class Cones {
 
 /// v is shared; p and q are a's other corners, r and s b's, with such heights over a's plane.
 std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3& q, const Point3& r, const Point3& s,
-                                  double over_r, double over_s, double error) {
+                                  std::size_t axis, double over_r, double over_s, double error) {
   using predicates::cross, predicates::dot;
   const int of_r = sign_beyond(over_r, error), of_s = sign_beyond(over_s, error);
   if (of_r * of_s > 0) return Relation::touching;
+  // The plane of a is not seen edge on, so that what is in common is seen to be.
+  const auto only_meet_at_tip = [&] {
+    return Cones(seen(v, axis), seen(p, axis), seen(q, axis), seen(r, axis), seen(s, axis)).only_meet_at_tip();
+  };
+  const bool in_plane = of_r == 0 && of_s == 0;
+  if (in_plane && only_meet_at_tip()) return Relation::touching;
   const Difference normal = cross(difference(v, r), difference(v, s));
   const double over_p = dot(difference(v, p), normal), over_q = dot(difference(v, q), normal);
   const double sum = over_p + over_q;
@@ -92,13 +96,8 @@ std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3
   if (of_p * of_q > 0) return Relation::touching;
   // Along the cross product of the planes' normals, p x q and r x s, a leaves v forward where p is above b's plane, and
   // b where r is below a's.  In doubt the other corner is on the other side: else it is no crossing, and they touch.
-  if ((of_p == 0 && of_q == 0) || (of_r == 0 && of_s == 0)) {
-    const std::size_t axis = likely_axis({v, p, q});
-    // The plane of a is not seen edge on, so that what is in common is seen to be.
-    const Cones cones(seen(v, axis), seen(p, axis), seen(q, axis), seen(r, axis), seen(s, axis));
-    if (cones.only_meet_at_tip()) return Relation::touching;
-    return {};
-  }
+  if (in_plane) return {};
+  if (of_p == 0 && of_q == 0) return only_meet_at_tip() ? std::optional(Relation::touching) : std::nullopt;
   const int a_forward = of_p != 0 ? of_p : -of_q, b_forward = of_r != 0 ? -of_r : of_s;
   if (a_forward != b_forward) return Relation::touching;
   if (of_p * of_q < 0 && of_r * of_s < 0) return Relation::overlapping;
@@ -107,8 +106,8 @@ std::optional<Relation> at_corner(const Point3& v, const Point3& p, const Point3
 
 }  // namespace
 
-std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
-                                         double error) {
+std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b, std::size_t axis,
+                                         const std::array<double, 3>& over_a, double error) {
   const CornerPointers p{&a.a, &a.b, &a.c}, q{&b.a, &b.b, &b.c};
   // Which corners are the same; none is counted twice, unless a triangle repeats it.
   std::array<std::size_t, 3> of_a{}, of_b{};
@@ -127,15 +126,16 @@ std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b,
   const std::size_t first = of_a[0], k = of_b[0];
   if (shared == 1) {
     const std::size_t r = (k + 1) % 3, s = (k + 2) % 3;
-    return at_corner(*p[first], *p[(first + 1) % 3], *p[(first + 2) % 3], *q[r], *q[s], over_a[r], over_a[s], error);
+    return at_corner(*p[first], *p[(first + 1) % 3], *p[(first + 2) % 3], *q[r], *q[s], axis, over_a[r], over_a[s],
+                     error);
   }
   if (of_a[1] == first) return {};
   if (shared == 2) {
     if (magnitude_of(over_a[own]) > error) return Relation::touching;
-    return at_edge(a, *p[first], *p[of_a[1]], *p[3 - first - of_a[1]], *q[own]);
+    return at_edge(a, *p[first], *p[of_a[1]], *p[3 - first - of_a[1]], *q[own], axis);
   }
   if (of_a[2] == first || of_a[2] == of_a[1]) return {};
-  return of_same(a);
+  return of_same(a, axis);
 }
 
 }  // namespace plumb::query

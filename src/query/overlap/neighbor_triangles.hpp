@@ -19,9 +19,9 @@
 
 namespace plumb::query {
 
-/// `over_a` are the heights of b's corners over a's plane, and `error` the bound of volumes that are seen from a.a; times
-/// from_any_corner it bounds those that are seen from others.
-std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b, const std::array<double, 3>& over_a,
-                                         double error);
+/// `axis` is a guess of one along which a is seen well; `over_a` are the heights of b's corners over a's plane, and
+/// `error` the bound of volumes that are seen from a.a; times from_any_corner it bounds those that are seen from others.
+std::optional<Relation> relate_neighbors(const Triangle3& a, const Triangle3& b, std::size_t axis,
+                                         const std::array<double, 3>& over_a, double error);
 
 }  // namespace plumb::query

@@ -20,7 +20,7 @@ class PosedSigns {
 
   static constexpr bool doubles_first = false;
   static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
-  static std::optional<Relation> straight() { return {}; }
+  static std::optional<std::size_t> running_axis() { return {}; }
 
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const {
     const Vec3<T> normal = cross(corner_[i + 1] - corner_[i], corner_[i + 2] - corner_[i]);
@@ -154,9 +154,8 @@ Relation relate_without_area(const PosedTriangle3& a, const PosedTriangle3& b, C
 }
 
 [[gnu::noinline]] Relation relate_flat(const PosedTriangle3& a, const PosedTriangle3& b) {
-  CertainSigns ask;
-  const Relation quick = relate_without_area<Ball>(a, b, ask);
-  return ask.certain() ? quick : relate_without_area<BigDyadic>(a, b, ask);
+  return certainly<SignWorlds<Ball, BigDyadic>>(
+      [&]<class T>(Carrying<T>& ask) { return relate_without_area<T>(a, b, ask); });
 }
 
 }  // namespace

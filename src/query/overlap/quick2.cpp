@@ -30,9 +30,9 @@ struct OnLattice {
   Points points{std::bit_cast<std::array<double, numbers_a + numbers_b>>(Both{b, a})};
 
   [[nodiscard]] std::optional<Relation> straight() const {
-    if (!points.is_straight(0, 1)) return {};
+    if (!is_straight(points, 0, 1)) return {};
     return relate_straight<2>(std::bit_cast<std::array<double, numbers_a>>(a),
-                              std::bit_cast<std::array<double, numbers_b>>(b), points.is_level(0) ? 1 : 0);
+                              std::bit_cast<std::array<double, numbers_b>>(b), is_level(points, 0) ? 1 : 0);
   }
 };
 

@@ -5,8 +5,8 @@
 // volume of the edges that they lie on.  In one plane the edges are the axes that can separate.
 // `Signs` has the corners of a as 0, 1, 2 and of b as 3, 4, 5: sides(i, j) gives the signs of corners j, j + 1, j + 2
 // over the plane of i, i + 1, i + 2, volume(i, j, k, l) is orient3d.  As seen along an axis, areas has all of one plane
-// and turn_of_b the second triangle's; axes are those to look along, in turn, and straight is asked where no axis shows
-// b with an area.
+// and turn_of_b the second triangle's; axes are those to look along, in turn, and running_axis is asked where no axis
+// shows b with an area: one in which the line runs that all corners lie on.
 //
 // Laws: exact where the signs are; nothing for triangles without area, unless they are apart or of one line.
 // Source: Guigue and Devillers 2003; RTCD 5.2.10.
@@ -14,9 +14,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <optional>
 
 #include "query/overlap/flat_areas.hpp"
+#include "query/overlap/lattice_points.hpp"
 #include "query/overlap/linear3.hpp"
 #include "query/overlap/quick2.hpp"
 
@@ -67,7 +69,11 @@ std::optional<Relation> relate_in_plane(const Triangle3& a, const Triangle3& b, 
     if (areas.of_a == 0) return {};
     return relation(sign_of_number(depth(areas)));
   }
-  return signs.straight();
+  if (const std::optional<std::size_t> axis = signs.running_axis()) {
+    using Corners = std::array<double, 9>;
+    return relate_straight<3>(std::bit_cast<Corners>(a), std::bit_cast<Corners>(b), *axis);
+  }
+  return {};
 }
 
 template <class Signs>

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "plumb/certify/certainly.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/lattice3.hpp"
-#include "query/overlap/lattice_volumes.hpp"
+#include "query/overlap/lattice_worlds.hpp"
 #include "query/overlap/neighbor_triangles.hpp"
 #include "query/overlap/pair_answer.hpp"
 #include "query/overlap/signs.hpp"
 #include "query/overlap/triangle_signs.hpp"
-#include "query/overlap/wide_volumes.hpp"
 
 namespace plumb {
 namespace query {
@@ -42,12 +42,9 @@ template <InOnePlane in_one_plane>
   const bool certain_a = certain(over_a, error);
   if (!certain_a) {
     if (!(magnitude_of(error) < std::numeric_limits<double>::infinity())) return {};
+    if (const auto answer = relate_neighbors(a, b, axis_across(n.x, n.y, n.z), over_a, error)) return answer;
     const bool are_coplanar = std::max(high(over_a), -low(over_a)) <= error;  // or nearly so
-    if (in_one_plane == InOnePlane::told && are_coplanar) {
-      if (const auto answer = by_short_plane(a, b, error)) return answer;
-    }
-    if (const auto answer = relate_neighbors(a, b, over_a, error)) return answer;
-    if (are_coplanar) return {};
+    if (are_coplanar) return in_one_plane == InOnePlane::told ? by_short_plane(a, b, error) : std::nullopt;
   }
 
   const Difference m = cross(difference(b.a, b.b), difference(b.a, b.c));
@@ -111,7 +108,7 @@ class PointSigns {
 
   static constexpr bool doubles_first = true;
   static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
-  static std::optional<Relation> straight() { return {}; }
+  static std::optional<std::size_t> running_axis() { return {}; }
   /// Are two corners of the triangle from corner i on the same?
   [[nodiscard]] bool repeats_a_corner(std::size_t i) const {
     return are_equal(i, i + 1) || are_equal(i, i + 2) || are_equal(i + 1, i + 2);
@@ -149,67 +146,28 @@ class PointSigns {
       told_{};  // the volumes of four corners in their order, by the set of these
 };
 
-using CornerNumbers = std::array<double, 18>;
-
-Relation of_one_line(const Triangle3& a, const Triangle3& b, std::size_t axis) {
-  return relate_straight<3>(std::bit_cast<std::array<double, 9>>(a), std::bit_cast<std::array<double, 9>>(b), axis);
-}
-
-/// Of corners on one lattice of many bits.
-class WideSigns : public WideVolumes<6> {
+template <class Points, class Step>
+class TriangleSigns : public VolumeSigns<Points, Step> {
  public:
-  explicit WideSigns(const std::array<Point3, 6>& p) : WideVolumes<6>(std::bit_cast<CornerNumbers>(p)), p_(p) {}
-
-  static constexpr bool doubles_first = true;
-  static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
-  [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return over<3>(i, j); }
-  [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return turn(axis, 3, 4, 5); }
-  [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
-    return areas_by([&](std::size_t i, std::size_t j, std::size_t k) { return turn(axis, i, j, k); });
-  }
-  [[nodiscard]] std::optional<Relation> straight() const {
-    const auto axis = running_axis();
-    if (!axis) return {};
-    return of_one_line({p_[0], p_[1], p_[2]}, {p_[3], p_[4], p_[5]}, *axis);
-  }
-
- private:
-  /// Doubles tell most of them.
-  [[nodiscard]] Sign turn(std::size_t axis, std::size_t i, std::size_t j, std::size_t k) const {
-    using predicates::Orient2d;
-    const auto at = coordinates_of<Orient2d>(seen(p_[i], axis), seen(p_[j], axis), seen(p_[k], axis));
-    const int told = filter<Orient2d>(at);
-    return told != 0 ? static_cast<Sign>(told) : area(axis, i, j, k);
-  }
-  const std::array<Point3, 6>& p_;
-};
-
-template <class Step>
-class LatticeSigns : public LatticeVolumes<Step, 6> {
- public:
-  LatticeSigns(const LatticePoints<6, 3>& points, const Triangle3& a, const Triangle3& b)
-      : LatticeVolumes<Step, 6>(points), a_(a), b_(b) {}
+  using VolumeSigns<Points, Step>::VolumeSigns;
 
   [[nodiscard]] Sides sides(std::size_t i, std::size_t j) const { return this->template over<3>(i, j); }
-  [[nodiscard]] Sign turn_of_b(std::size_t axis) const {
-    return sign_of_number(this->seen_along(axis, [](const auto& at, const auto& told) {
-      const auto p = at(3), q = at(4), r = at(5);
-      return told((area(p, q) + area(q, r)) - area(p, r));
-    }));
-  }
+  [[nodiscard]] Sign turn_of_b(std::size_t axis) const { return turn(axis, 3, 4, 5); }
   [[nodiscard]] TriangleAreas<double> areas(std::size_t axis) const {
-    return this->seen_along(axis, [](const auto& at, const auto& told) {
+    const auto told_all = [](const auto& at, const auto& told) {
       return told_areas(triangle_areas(at(1), at(2), {at(3), at(4), at(5)}), told);
-    });
-  }
-  [[nodiscard]] std::optional<Relation> straight() const {
-    const auto axis = running_axis(this->points_);
-    if (!axis) return {};
-    return of_one_line(a_, b_, *axis);
+    };
+    if constexpr (requires { this->points_.seen(0, 1, told_all); }) {
+      return this->points_.seen((axis + 1) % 3, (axis + 2) % 3, told_all);
+    } else {
+      return areas_by([&](std::size_t i, std::size_t j, std::size_t k) { return turn(axis, i, j, k); });
+    }
   }
 
  private:
-  const Triangle3 &a_, &b_;
+  [[nodiscard]] Sign turn(std::size_t axis, std::size_t i, std::size_t j, std::size_t k) const {
+    return this->points_.turn((axis + 1) % 3, (axis + 2) % 3, i, j, k);
+  }
 };
 
 bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
@@ -227,7 +185,6 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
   require_figures(question, a, b);
   if (boxes_are_apart(a, b)) return Relation::disjoint;
   const std::array corners{a.a, a.b, a.c, b.a, b.b, b.c};
-  if (const WideSigns wide(corners); wide.is_lattice()) return relate_by(a, b, wide);
   const PointSigns signs(corners);
   if (signs.repeats_a_corner(3)) return relate(flattened(b), a);
   if (signs.repeats_a_corner(0)) return relate(flattened(a), b);
@@ -235,9 +192,9 @@ bool boxes_are_apart(const Triangle3& a, const Triangle3& b) {
 }
 
 [[gnu::noinline]] Relation by_signs(const Triangle3& a, const Triangle3& b, Question question) {
-  const LatticePoints<6, 3> points(std::bit_cast<CornerNumbers>(std::array{a, b}));
-  const auto ask = [&](const auto& signs) { return relate_by(a, b, signs); };
-  const auto answer = points.is_lattice() ? by_lattice<LatticeSigns>(points, ask, a, b) : by_points(a, b, question);
+  const auto answer = certainly<LatticeWorlds<TriangleSigns, 6>>(
+      [&](const auto& signs) { return relate_by(a, b, signs); },
+      std::bit_cast<std::array<double, 18>>(std::array{a, b}), [&] { return by_points(a, b, question); });
   return answer ? *answer : without_area(a, b);
 }
 

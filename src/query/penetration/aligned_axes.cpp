@@ -6,8 +6,7 @@ namespace {
 /// Pairs of doubles first: sums of a few numbers are exact in them, and so are ties.
 template <class Value>
 Sign sign_by_pairs(const Value& value) {
-  if (const Unsure<Sign> s = value.template operator()<Ball>().sign(); s.certain()) return s.value();
-  return exact_sign_of(value);
+  return sign_in<SignWorlds<Ball, StackDyadic, BigDyadic>>(value);
 }
 
 template <class T>

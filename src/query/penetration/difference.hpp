@@ -10,9 +10,7 @@
 #include <bit>
 #include <limits>
 
-#include "arith/running_error.hpp"
-#include "plumb/arith/big.hpp"
-#include "plumb/arith/stack_dyadic.hpp"
+#include "certify/carried_errors.hpp"
 #include "query/separation/nearest_corners.hpp"
 
 namespace plumb::query::parting {
@@ -28,15 +26,11 @@ const T& along_axis(const Vec<T>& v, int axis) {
 /// The sign of value<T>(), which says the same over every number type; after doubles.
 template <class Value>
 Sign exact_sign_of(const Value& value) {
-  StackDyadic::clear_range();
-  const Sign s = value.template operator()<StackDyadic>().sign();
-  if (!StackDyadic::left_range()) return s;
-  return value.template operator()<BigDyadic>().sign();
+  return sign_in<SignWorlds<StackDyadic, BigDyadic>>(value);
 }
 template <class Value>
 Sign sign_of(const Value& value) {
-  if (const Unsure<Sign> s = value.template operator()<Running>().sign(); s.certain()) return s.value();
-  return exact_sign_of(value);
+  return sign_in<SignWorlds<Running, StackDyadic, BigDyadic>>(value);
 }
 
 /// From one corner to another; of a sum along an edge by that edge alone.

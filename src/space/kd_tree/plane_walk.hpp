@@ -61,11 +61,8 @@ template <std::size_t d>
 int compare(const Path<d>& path, const Place& a, const Place& b) {
   if (a.kind == Kind::crossing && b.kind == Kind::crossing) {
     if (a.axis == b.axis) return sign_of_difference(a.plane, b.plane) * path.way(a.axis);
-    const auto ask = [&](const auto& statement) {
-      return certainly(statement, a.plane, path.from[a.axis], path.to[a.axis], b.plane, path.from[b.axis],
-                       path.to[b.axis]);
-    };
-    const Sign sign = path.is_ray ? ask(CrossingOrder<false>{}) : ask(CrossingOrder<true>{});
+    const Sign sign = crossing_order(!path.is_ray, a.plane, path.from[a.axis], path.to[a.axis], b.plane,
+                                     path.from[b.axis], path.to[b.axis]);
     return static_cast<int>(sign) * path.way(a.axis) * path.way(b.axis);
   }
   if (b.kind == Kind::crossing) return -compare(path, b, a);

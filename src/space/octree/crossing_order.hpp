@@ -34,11 +34,8 @@ class CrossingsOf {
       const int by_border = (a.border > b.border) - (a.border < b.border);
       return way_.side[a.axis] * by_border;
     }
-    const auto ask = [&](const auto& statement) {
-      return certainly(statement, a.border, way_.from[a.axis], way_.to[a.axis], b.border, way_.from[b.axis],
-                       way_.to[b.axis]);
-    };
-    const Sign s = way_.ends ? ask(CrossingOrder<true>{}) : ask(CrossingOrder<false>{});
+    const Sign s = crossing_order(way_.ends, a.border, way_.from[a.axis], way_.to[a.axis], b.border, way_.from[b.axis],
+                                  way_.to[b.axis]);
     return static_cast<int>(s) * way_.side[a.axis] * way_.side[b.axis];
   }
   /// Of what is entered: what is without the place is entered behind it.

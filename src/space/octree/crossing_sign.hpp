@@ -3,10 +3,10 @@
 // Laws: those of certify/world.hpp.  The parameters at which x = c and y = d are crossed are (c - o) / f and
 // (d - p) / e: times the signs of f and e the sign is that of the first less the second.
 // Source: RTCD 5.3.3, 7.4.1.
-// Cost: two products of differences.
+// Cost: two products of differences; where exponents are far apart some ten times that.
 #pragma once
 
-#include "plumb/certify/certainly.hpp"
+#include "certify/carried_errors.hpp"
 
 namespace plumb::space {
 
@@ -29,5 +29,13 @@ struct CrossingOrder {
     return w.compare(w.difference(c, o) * along(e, p), w.difference(d, p) * along(f, o));
   }
 };
+
+/// The same, of borders and ways whose exponents may be far apart.
+inline Sign crossing_order(bool is_segment, double c, double o, double f, double d, double p, double e) {
+  const auto ask = [&]<class Statement>(const Statement& statement) {
+    return certainly<SpreadWorlds<Statement>>(statement, c, o, f, d, p, e);
+  };
+  return is_segment ? ask(CrossingOrder<true>{}) : ask(CrossingOrder<false>{});
+}
 
 }  // namespace plumb::space

@@ -152,19 +152,16 @@ PLUMB_EXPORT(one_child_met);
 PLUMB_EXPORT(complete_lanes);
 PLUMB_EXPORT(near_lanes);
 
-/// Of volumes of any three differences between triangles of both; infinite or not a number where an intermediate
-/// number may not be finite.
+/// Bounds volumes of any three differences between triangles of both; infinite or not a number where an intermediate
+/// number may not be finite: the magnitude is no less than any of them.
 double volume_error(const std::array<double, 6>& a, const std::array<double, 6>& b) {
   using query::Volume;
   const auto extent = [&](std::size_t k) {
     return (std::max(a[3 + k], b[3 + k]) - std::min(a[k], b[k])) + largest_floor<Volume>;
   };
-  const double x = extent(0), y = extent(1), z = extent(2);
-  const double error = largest_threshold<Volume>({x, y, z});
-  // Above all products of two and of three differences, four of each.
-  static_assert(largest_threshold<Volume>({1, 1, 1}) * 0x1p60 > 16);
-  const double most = error * 0x1p60 + 4 * (x * y + y * z + z * x);
-  return error + (most - most);
+  const Largest<Volume> most{extent(0), extent(1), extent(2)};
+  const double magnitude = magnitude_over<Volume>(most);
+  return largest_threshold<Volume>(most) + (magnitude - magnitude);
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/flat_lattices.hpp"
-#include "query/overlap/lattice_points.hpp"
-#include "query/overlap/wide_volumes.hpp"
+#include "query/overlap/wide_points.hpp"
 
 namespace plumb {
 namespace {
@@ -74,9 +73,10 @@ TEST(OverlapTriangleCases, ExponentsFarApart) {
     const int far = apart[entropy.below(apart.size())], scale = scales[entropy.below(scales.size())];
     const auto numbers = far_exponents<6>(entropy, is_line, far, scale);
     if (!query::LatticePoints<6, 3>(numbers).is_lattice()) {
-      const query::WideVolumes<6> volumes(numbers);
-      wide += volumes.is_lattice() ? 1 : 0, beyond += volumes.is_lattice() ? 0 : 1;
-      straight += volumes.is_lattice() && volumes.running_axis() ? 1 : 0;
+      const query::WidePoints<6> points(numbers);
+      const auto on_line = [&](std::size_t axis) { return query::is_straight(points, axis, (axis + 1) % 3); };
+      wide += points.is_lattice() ? 1 : 0, beyond += points.is_lattice() ? 0 : 1;
+      straight += points.is_lattice() && on_line(0) && on_line(1) && on_line(2) ? 1 : 0;
     }
     const auto [a, b] = std::bit_cast<Triangles>(numbers);
     const Relation expected = oracle::rational_relation(a, b);

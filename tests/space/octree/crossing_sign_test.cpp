@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "certify/statements/golden_statements.hpp"
 #include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
 #include "certify/statements/proved_statements.hpp"
 #include "plumb/certify/judged_proofs.hpp"
+#include "plumb/degenerate/coordinates.hpp"
 #include "plumb/degenerate/points.hpp"
 
 namespace plumb::space {
@@ -46,6 +48,8 @@ TEST(CrossingSign, IsThatOfTheExactProducts) {
       const auto ask = [&](const auto& statement, bool is_segment) {
         const Sign told = certainly(statement, x[0], x[1], x[2], x[3], x[4], x[5]);
         ASSERT_EQ(static_cast<int>(told), truth(is_segment, x)) << info.name << ", replay: " << i;
+        ASSERT_EQ(crossing_order(is_segment, x[0], x[1], x[2], x[3], x[4], x[5]), told)
+            << info.name << ", replay: " << i;
         zeros += told == Sign::zero ? 1 : 0;
         FloatWorld<std::remove_cvref_t<decltype(statement)>> w;
         const Sign by_doubles = statement(w, x[0], x[1], x[2], x[3], x[4], x[5]);
@@ -58,6 +62,27 @@ TEST(CrossingSign, IsThatOfTheExactProducts) {
   }
   EXPECT_GE(zeros, 1000);
   EXPECT_GE(doubtful, 500);
+}
+
+/// Which world tells it where exponents span all that there are: never an exact one, but where products are equal.
+TEST(CrossingSign, IsToldByItsOwnErrorsWhereExponentsAreFarApart) {
+  WorldCounts worlds;
+  int doubtful = 0;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    Entropy entropy(7415, i);
+    const auto number = [&] {
+      return std::ldexp(signed_unit_coordinate(entropy), static_cast<int>(entropy.below(801)) - 400);
+    };
+    const std::array x{number(), number(), number(), number(), number(), number()};
+    FloatWorld<CrossingOrder<true>> first;
+    (void)CrossingOrder<true>{}(first, x[0], x[1], x[2], x[3], x[4], x[5]);
+    doubtful += first.certain() ? 0 : 1;
+    const Sign told = certainly_recorded<SpreadWorlds<CrossingOrder<true>>>(worlds, CrossingOrder<true>{}, x[0], x[1],
+                                                                            x[2], x[3], x[4], x[5]);
+    ASSERT_EQ(static_cast<int>(told), truth(true, x)) << "replay: " << i;
+  }
+  EXPECT_GE(doubtful, 200);
+  EXPECT_EQ(worlds.of(WorldKind::integers), 0u);
 }
 
 TEST(CrossingSign, DoublesTellItInPromisedShare) {

@@ -8,12 +8,11 @@
 // coordinates are exact and rounded once, and what is told of them is an interval that certainly holds the number.
 // Where a decision suffices, relate decides by quadratic signs: ellipsoids with one another and with what has straight
 // edges (query/overlap/ellipsoid.hpp), caps, and cylinders and cones with flat figures (query/body/pairs.hpp).
-// Laws: (1) those of gjk_bounds, the other figure being any that support_point takes.  (2) The rounding is derived: no
-// coordinate of a point of the figure is off by more than half an ulp of its greatest one, and three of these are less
-// than an ulp together; options may state more.  (3) Equal to gjk_bounds of two mappings with that rounding.
-// (4) A figure under a pose is its exact image, whatever the matrix, rigid poses and chains among them; its rounding is
-// derived from the figure's, the pose and that of the direction before it, some 2^-46 of the image's size.  (5) Of an
-// AnyFigure it is that of its kind.
+// Laws: (1) those of gjk_bounds, the other figure being any that support_point takes.  (2) The rounding is derived:
+// that of three coordinates which are the nearest doubles, of the size of the figure's greatest; options may state
+// more.  (3) Equal to gjk_bounds of two mappings with that rounding.  (4) A figure under a pose is its exact image,
+// whatever the matrix, rigid poses and chains among them; its rounding is derived from the figure's, the pose and that
+// of the direction before it, some 2^-46 of the image's size.  (5) Of an AnyFigure it is that of its kind.
 // Errors: those of support_point, in its name, and as it: a pose with NaN or infinity throws NonFinite, an image beyond all
 // doubles BeyondDoubles.
 // Source: RTCD 9.5.3; van den Bergen 1999 (support mappings of quadrics).
@@ -38,6 +37,8 @@ concept StandingFigure3 = std::same_as<Shape, Point3> || std::same_as<Shape, Ver
 
 /// Along which direction the shape lies farthest before its pose: the nearest doubles of that times a power of two.
 Vector3 direction_before(PoseView pose, const Vector3& direction);
+/// How far from the exact one a point can be whose coordinates are the nearest doubles, no larger than this.
+double rounding_of_point(double largest);
 /// Of points whose coordinates are no larger than `largest`, and no more than `off` away from exact ones.
 double rounding_of_image(PoseView pose, double largest, double off);
 
@@ -84,10 +85,7 @@ class FigureSupport3 {
     return most;
   }
   /// How far off a point can be.
-  [[nodiscard]] double rounding() const {
-    const double most = largest();
-    return 2 * (most - __builtin_nextafter(most, -1.0));  // an ulp, or two where the greatest is no power of two
-  }
+  [[nodiscard]] double rounding() const { return query::rounding_of_point(largest()); }
 
  private:
   const Shape* shape_;
