@@ -1,16 +1,22 @@
-// The face of meshes and their files: what is in a file, is it a clean surface, and where does a plane cut it?
+// The face of meshes and their files: what is in a file, is it a clean surface, what makes it one, and where does a plane
+// cut it?
 //
 // Meshes are plain structs, with whatever a file from the wild has in it (docs/meshes.md).
 // Source: docs/sections.md, chapters 2 and 12.
 #pragma once
 
-#include "plumb/figure/basic/mesh.hpp"    // TriangleMesh, PolygonMesh
-#include "plumb/surface/decimal.hpp"      // which double a decimal is
-#include "plumb/surface/defects.hpp"      // bow ties, T-junctions, double faces, close vertices
-#include "plumb/surface/mesh_file.hpp"    // formats, and MeshFileError
-#include "plumb/surface/read_mesh.hpp"    // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
-#include "plumb/surface/section.hpp"      // contours of one plane or many
-#include "plumb/surface/shells.hpp"       // components: which lies in which, which is inside out, volumes
-#include "plumb/surface/topology.hpp"     // neighbors, open edges
-#include "plumb/surface/triangulate.hpp"  // polygons into triangles
-#include "plumb/surface/write_mesh.hpp"   // to a file, or to text
+#include "plumb/figure/basic/mesh.hpp"            // TriangleMesh, PolygonMesh
+#include "plumb/surface/decimal.hpp"              // which double a decimal is
+#include "plumb/surface/defects.hpp"              // bow ties, T-junctions, double faces, close vertices
+#include "plumb/surface/mesh_file.hpp"            // formats, and MeshFileError
+#include "plumb/surface/read_mesh.hpp"            // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
+#include "plumb/surface/repair/repair.hpp"        // mending: holes, T-junctions, double faces, orientation
+#include "plumb/surface/repair/weld.hpp"          // vertices that are one, exactly or within a tolerance
+#include "plumb/surface/section.hpp"              // contours of one plane or many
+#include "plumb/surface/shells.hpp"               // components: which lies in which, which is inside out, volumes
+#include "plumb/surface/topology.hpp"             // neighbors, open edges
+#include "plumb/surface/topology/adjacency.hpp"   // half-edges, winged edges, triangles at a vertex
+#include "plumb/surface/topology/components.hpp"  // connected components, boundary loops, Euler's formula
+#include "plumb/surface/topology/faults.hpp"      // all that is wrong, counted
+#include "plumb/surface/triangulate.hpp"          // polygons into triangles
+#include "plumb/surface/write_mesh.hpp"           // to a file, or to text
