@@ -123,8 +123,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::ask_topology(mesh);
   fuzz::ask_plan(mesh);
   for (const double tolerance : {1.0, 0.5}) fuzz::ask_steps(mesh, printable_solid(tolerance));
-  fuzz::ask_steps(mesh, std::array{RepairStep{RepairKind::slivers, 0.5}, RepairStep{RepairKind::zip, 2}});
+  const RepairStep weld{RepairKind::weld};
+  fuzz::ask_steps(mesh, std::array{weld, RepairStep{RepairKind::slivers, 0.5}, RepairStep{RepairKind::zip, 2}});
   for (std::size_t k = 0; k < repair_kinds; ++k)
-    fuzz::ask_steps(mesh, std::array{RepairStep{static_cast<RepairKind>(k), 0, 3}});
+    fuzz::ask_steps(mesh, std::array{weld, RepairStep{static_cast<RepairKind>(k), 0, 3}});
   return 0;
 }

@@ -39,11 +39,10 @@ void split_step(RepairWork& work) {
     const auto uses = edges.uses_of(e);
     if (uses.size() == 2) keep_together(edges.edges[e], uses[0].face, uses[1].face);
     if (uses.size() < 3) continue;
+    parted = true;
     const std::vector<FacePair> pairs = pairs_around(mesh, edges.edges[e], uses);
     for (const auto& [s, t] : pairs) keep_together(edges.edges[e], s, t);
-    parted = parted || !pairs.empty();
     if (!pairs.empty()) continue;
-    work.note(ChangeKind::kept_edge, edges.edges[e][0], uses.size());
     for (const EdgeUse& use : uses) keep_together(edges.edges[e], uses[0].face, use.face);
   }
   const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -67,7 +66,11 @@ void split_step(RepairWork& work) {
   for (std::uint32_t c = 0; c < number.size(); ++c) mesh.triangles[c / 3][c % 3] = number[c];
   for (std::uint32_t v = 0; v < vertices; ++v)
     if (more[v] != 0) work.note(ChangeKind::split_vertex, v, more[v]);
-  if (parted) outward_step(work);  // shells go on over edges that are now of two triangles
+  if (!parted) return;
+  outward_step(work);  // shells go on over edges that are now of two triangles
+  const MeshEdges left = find_edges(mesh);
+  for (std::size_t e = 0; e < left.edges.size(); ++e)
+    if (left.uses_of(e).size() > 2) work.note(ChangeKind::kept_edge, left.edges[e][0], left.uses_of(e).size());
 }
 
 void unused_step(RepairWork& work) {

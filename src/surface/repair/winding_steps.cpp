@@ -4,6 +4,7 @@
 #include "plumb/surface/shells.hpp"
 #include "surface/repair/point_order.hpp"
 #include "surface/repair/steps.hpp"
+#include "surface/topology/triangle_lists.hpp"
 #include "surface/topology/windings.hpp"
 
 namespace plumb::surface {
@@ -11,12 +12,22 @@ namespace {
 
 using Points = std::array<Point3, 3>;
 
-/// A triangle's points, in an order that no numbering changes.
-Points sorted_points(const TriangleMesh& mesh, std::uint32_t t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  Points points{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-  std::ranges::sort(points, comes_before);
-  return points;
+bool points_before(const Points& s, const Points& t) {
+  return std::ranges::lexicographical_compare(s, t, comes_before);
+}
+
+/// The points of some triangles, each turned or not, in an order that no numbering changes.
+std::vector<Points> sorted_points(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+                                  std::span<const std::uint8_t> against, std::uint8_t turned) {
+  std::vector<Points> all;
+  for (const std::uint32_t t : triangles) {
+    auto corners = mesh.triangles[t];
+    if (against[t] == turned) std::swap(corners[1], corners[2]);
+    begin_with_first(mesh.vertices, corners);
+    all.push_back({mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]});
+  }
+  std::ranges::sort(all, points_before);
+  return all;
 }
 
 void turn(TriangleMesh::Triangle& t) { std::swap(t[1], t[2]); }
@@ -26,38 +37,25 @@ void turn(TriangleMesh::Triangle& t) { std::swap(t[1], t[2]); }
 void orientation_step(RepairWork& work) {
   TriangleMesh& mesh = work.mesh;
   const Windings windings = find_windings(mesh, find_edges(mesh));
-  struct Component {
-    std::uint32_t first = 0, triangles = 0, against = 0;
-    std::uint32_t least = 0;  // where half are against: the triangle that is not to be turned
-  };
-  std::vector<Component> components(windings.components.count);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Component& c = components[windings.components.of[t]];
-    if (c.triangles++ == 0) c.first = t;
-    c.against += windings.against[t];
-  }
-  for (Component& c : components) c.least = c.first;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Component& c = components[windings.components.of[t]];
-    if (2 * c.against != c.triangles) continue;
-    if (std::ranges::lexicographical_compare(sorted_points(mesh, t), sorted_points(mesh, c.least), comes_before))
-      c.least = t;
-  }
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    const Component& c = components[i];
-    if (windings.orientable[i] == 0) {
-      work.note(ChangeKind::one_sided, mesh.triangles[c.first][0], c.triangles);
-    } else if (c.against != 0) {
-      work.note(ChangeKind::turned_triangles, mesh.triangles[c.first][0], std::min(c.against, c.triangles - c.against));
+  const TriangleLists components(windings.components.of, windings.components.count);
+  for (std::uint32_t c = 0; c < windings.components.count; ++c) {
+    const auto triangles = components[c];
+    std::size_t against = 0;
+    for (const std::uint32_t t : triangles) against += windings.against[t];
+    if (windings.orientable[c] == 0) {
+      work.note(ChangeKind::one_sided, mesh.triangles[triangles[0]][0], triangles.size());
+      continue;
     }
-  }
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t i = windings.components.of[t];
-    const Component& c = components[i];
-    if (windings.orientable[i] == 0) continue;
-    const bool first_stays =
-        2 * c.against != c.triangles ? 2 * c.against < c.triangles : windings.against[c.least] == 0;
-    if ((windings.against[t] == 0) != first_stays) turn(mesh.triangles[t]);
+    if (against == 0) continue;
+    std::uint8_t turned = 2 * against <= triangles.size() ? 1 : 0;  // those that are against, or the others
+    if (2 * against == triangles.size() &&
+        std::ranges::lexicographical_compare(sorted_points(mesh, triangles, windings.against, 0),
+                                             sorted_points(mesh, triangles, windings.against, 1), points_before))
+      turned = 0;
+    work.note(ChangeKind::turned_triangles, mesh.triangles[triangles[0]][0],
+              std::min(against, triangles.size() - against));
+    for (const std::uint32_t t : triangles)
+      if (windings.against[t] == turned) turn(mesh.triangles[t]);
   }
 }
 

@@ -27,14 +27,14 @@
 // - unused: vertices that no triangle names are left out.
 // Laws: (1) no vertex gets a new coordinate; vertices and triangles that no step names stay, bit for bit, in their order.
 // (2) Everything is decided exactly, tolerances are compared exactly; what is a guess is the choice among fillings.  (3)
-// The same mesh with vertices and triangles in another order becomes the same mesh in another order; threads change
-// nothing.  (4) What cannot be mended stays, and is in the list of changes (is_left).  (5) Crossing surfaces are not
-// parted.
+// The same mesh with vertices and triangles in another order becomes the same mesh in another order, where equal points
+// are one vertex: weld comes first, or a step may tell them apart; threads change nothing.  (4) What cannot be mended
+// stays, and is in the list of changes (is_left).  (5) Crossing surfaces are not parted.
 // A mesh that is none, a step that there is not and a negative tolerance throw InvalidShape; what is NaN or infinite
 // NonFinite.
 // Source: RTCD 12.1, 12.3, 12.5.1; Barequet and Sharir 1995 (least area).
 // Cost: a tree and the pairs of triangles that meet, some 1 us a triangle for each step that asks about nesting or
-// fillings, and for the judgement; n^3 for a loop of n <= 256 corners.  Bounded by n^2 log n operations, on integers
+// fillings, and for the judgement; n^3 for a loop of n <= 256 corners.  Bounded by n^3 operations, on integers
 // as long as the exponents' span.
 #pragma once
 
@@ -103,7 +103,7 @@ enum class ChangeKind : unsigned char {
   kept_hole,       // of `count` edges: its filling would meet the surface
   one_sided_hole,  // of a component that is one-sided
   open_chain,      // open edges that end at edges of more than two triangles
-  kept_edge,       // of more than two triangles that bound no solids there
+  kept_edge,       // of more than two triangles
 };
 inline constexpr std::size_t change_kinds = 21;
 

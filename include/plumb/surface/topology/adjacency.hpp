@@ -11,7 +11,7 @@
 // (3) A triangle that names a vertex twice is at its vertices, once each, and has neither edges nor twins.  (4) Lists
 // ascend.
 // The edges are those of the mesh.
-// Source: RTCD 12.2.1, 12.2.2, 12.2.3; winged edges: Baumgart 1975.
+// Source: RTCD 12.2.1, 12.2.2; winged edges: Baumgart 1975.
 // Cost: linear.  Nothing is searched.
 #pragma once
 

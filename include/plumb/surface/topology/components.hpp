@@ -13,7 +13,7 @@
 // loops closed by disks: handles where it is orientable, crosscaps (of a Moebius strip one) where it is not.  (4) All is
 // combinatorial: coordinates change nothing.
 // The edges are those of the mesh.
-// Source: RTCD 12.3; Euler and Poincare.
+// Source: RTCD 12.2.3, 12.3; Euler and Poincare.
 // Cost: linear, but for union-find.  Bounded by n log n operations.
 #pragma once
 
