@@ -1,5 +1,5 @@
-// The face of meshes and their files: what is in a file, is it a clean surface, where does a plane cut it, and
-// how are polygons, points and segments of a plane divided?
+// The face of meshes and their files: what is in a file, is it a clean surface, what makes it one, where does a plane cut
+// it, and how are polygons, points and segments of a plane divided?
 //
 // Meshes are plain structs, with whatever a file from the wild has in it (docs/meshes.md).
 // Source: docs/sections.md, chapters 2 and 12.
@@ -15,8 +15,13 @@
 #include "plumb/surface/planar/triangulate_polygon.hpp"  // polygons with holes into triangles
 #include "plumb/surface/planar/voronoi.hpp"              // centers of circles, exactly
 #include "plumb/surface/read_mesh.hpp"                   // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
+#include "plumb/surface/repair/repair.hpp"               // mending: holes, T-junctions, double faces, orientation
+#include "plumb/surface/repair/weld.hpp"                 // vertices that are one, exactly or within a tolerance
 #include "plumb/surface/section.hpp"                     // contours of one plane or many
 #include "plumb/surface/shells.hpp"                      // components: nesting, which is inside out, volumes
 #include "plumb/surface/topology.hpp"                    // neighbors, open edges
+#include "plumb/surface/topology/adjacency.hpp"          // half-edges, winged edges, triangles at a vertex
+#include "plumb/surface/topology/components.hpp"         // connected components, boundary loops, Euler's formula
+#include "plumb/surface/topology/faults.hpp"             // all that is wrong, counted
 #include "plumb/surface/triangulate.hpp"                 // polygons into triangles
 #include "plumb/surface/write_mesh.hpp"                  // to a file, or to text

@@ -36,9 +36,9 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
     {"space",
      {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence", "grid", "octree", "kd_tree", "sort_and_sweep",
       "broad_phase", "cells"}},
-    {"tool", {"terminal", "drawing",    "mesh",     "rows",   "trial", "manual",  "bounds", "bvh",       "check",
-              "convert",  "convex",     "distance", "doctor", "fuzz",  "help",    "inside", "intersect", "nearest",
-              "pairs",    "placements", "plan",     "proof",  "ray",   "section", "sign",   "program"}},
+    {"tool", {"terminal", "drawing",    "mesh",     "rows",   "trial", "manual", "bounds",  "bvh",       "check",
+              "convert",  "convex",     "distance", "doctor", "fuzz",  "help",   "inside",  "intersect", "nearest",
+              "pairs",    "placements", "plan",     "proof",  "ray",   "repair", "section", "sign",      "program"}},
     {"lab", {"trial", "crowd", "chart", "stability", "vectors", "program"}},
 };
 

@@ -379,6 +379,12 @@ inline const CostRow rows_of_indexes[]{
        (void)section(c.mesh, Plane3{vector(c.b[0]), 0});
      }},
     {"find_shells", "surface/shells.hpp", quadratic, 500, [](const Cloud& c) { (void)find_shells(c.mesh); }},
+    {"find_faults", "surface/topology/faults.hpp", quadratic, 500, [](const Cloud& c) { (void)find_faults(c.mesh); }},
+    {"surface_kinds", "surface/topology/components.hpp", sorting, 2,
+     [](const Cloud& c) { (void)surface_kinds(c.mesh, find_edges(c.mesh)); }},
+    {"find_weld", "surface/repair/weld.hpp", quadratic_log, 20,
+     [](const Cloud& c) { (void)find_weld(c.mesh, {.tolerance = std::fabs(c.a[0].x)}); }},
+    {"repair", "surface/repair/repair.hpp", cubic, 2000, [](const Cloud& c) { (void)repair(c.mesh); }},
     {"close_vertices", "surface/defects.hpp", quadratic, 5,
      [](const Cloud& c) { (void)close_vertices(c.mesh, std::fabs(c.a[0].x)); }},
     {"vertices_on_edges", "surface/defects.hpp", quadratic, 50,

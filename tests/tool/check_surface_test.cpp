@@ -20,7 +20,7 @@ namespace {
 
 const TriangleMesh cube = solids::box({0, 0, 0}, {4, 4, 4});
 
-SurfaceCheck checked(const TriangleMesh& mesh) {
+SurfaceFaults checked(const TriangleMesh& mesh) {
   const MeshEdges edges = find_edges(mesh);
   return check_surface(mesh, edges, mesh_statistics(mesh, edges), "test");
 }
@@ -85,13 +85,13 @@ TEST(CheckSurface, TellsTouchingFromOverlapping) {
   const TriangleMesh touching =
       with(cube, {{{4, 1, 2}, {9, 1, 2}, {9, 2, 2}, {9, 1, 3}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
   EXPECT_EQ(said_of(touching), "2 shells, closed, oriented, touching itself, free of degenerate triangles");
-  const SurfaceCheck c = checked(touching);
+  const SurfaceFaults c = checked(touching);
   EXPECT_EQ(c.met.overlapping, 0U);
   EXPECT_GT(c.met.touching, 0U);
 }
 
 TEST(CheckSurface, FindsTrianglesWithoutArea) {
-  const SurfaceCheck c = checked(with_a_sliver());
+  const SurfaceFaults c = checked(with_a_sliver());
   EXPECT_TRUE(c.closed && c.oriented && !c.inside_out());
   EXPECT_EQ(c.degenerate, 1U);
   EXPECT_TRUE(surface_verdict(c).ends_with(", with degenerate triangles"));

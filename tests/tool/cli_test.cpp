@@ -149,13 +149,14 @@ TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
                    {"vectors --out x", "plumb-lab"},
                    {"boolean a.obj b.obj", "'plumb intersect A B' finds where two meshes cross"},
                    {"union a.obj", "'plumb section' cuts one by planes"},
-                   {"repair a.obj", "'plumb check' says what is wrong"},
+                   {"mend a.obj", "'plumb repair' mends meshes"},
                    {"decompose a.obj", "'plumb convex'"},
                    {"simulate", "'plumb pairs'"}});
   for (const auto& [words, what] : std::vector<std::pair<std::string, std::string>>{
            {"booleans boolean-union Boolean unions difference subtract intersections csg", "solids are not united"},
            {"offset thicken minkowski_sum", "meshes are not offset"},
-           {"repair mend fix fix_normals heal clean weld fill-holes simplify decimate remesh", "meshes are not mended"},
+           {"mend fix fix_normals heal clean weld fill-holes", "'plumb repair' mends meshes"},
+           {"simplify decimate remesh", "meshes are not simplified"},
            {"convex-decomposition convex_decomposition decompose parts V-HACD convex-parts", "not parted into convex"},
            {"scenes simulation collide collisions physics", "scenes are not played"},
            {"hulls convex-hull", "the library makes hulls"},

@@ -60,6 +60,9 @@ const std::map<std::string, std::vector<std::string>>& asked() {
       {"plan", {"cube.obj open.obj --placements 5", "sliver.off cube.obj --all --placements 5"}},
       {"ray",
        {"--ray 0.5,0.5,5,0,0,-1 cube.obj", "--ray 0.1,0.5,5,0,0,1 --all cube.obj", "--segment 0,0,9,0,0,8 cube.obj"}},
+      {"repair",
+       {"--dry-run cube.obj", "--dry-run --tolerance 0.1 open.obj sliver.off", "-o mended.obj open.obj",
+        "--dry-run --only weld crossing.obj"}},
       {"section", {"--plane z=0.5 cube.obj", "--plane z=0 --plane x=0.1 cube.obj", "--plane 1,1,1,0.5 open.obj"}},
   };
   return all;

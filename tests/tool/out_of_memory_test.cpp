@@ -145,6 +145,7 @@ const std::vector<Writer> writers{
      {"ray", "part.obj", "--ray", "-9,0.1,0.2,1,0,0", "--json", "a.json", "--obj", "a.obj", "--overwrite"},
      {"a.json", "a.obj"}},
     {"convert", {"convert", "part.obj", "a.stl", "--overwrite"}, {"a.stl"}},
+    {"repair", {"repair", "part.obj", "--output", "a.ply", "--json", "a.json", "--overwrite"}, {"a.ply", "a.json"}},
     {.name = "proof", .words = {"proof", "orient2d", "--out", "a.g"}, .outputs = {"a.g"}, .is_hungry = false},
     {.name = "fuzz",
      .words = with(of_fuzz, {"--out", "report"}),

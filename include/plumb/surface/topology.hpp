@@ -2,9 +2,9 @@
 //
 // Laws: edges are listed once, a < b, ascending, their faces ascending: the same mesh gives the same lists everywhere.
 // Equality of vertices and zero area are exact.  A face that names a vertex twice bounds nothing: it is counted, and
-// lends its edges to no list.
+// lends its edges to no list.  An index that names no vertex throws InvalidShape.
 // Source: RTCD 12.2.2, 12.3, 12.4.
-// Cost: O(n log n), by sorting.  Bounded by n log n operations.
+// Cost: linear but for the sorting of a vertex's edges, and of equal points.  Bounded by n log n operations.
 #pragma once
 
 #include <array>

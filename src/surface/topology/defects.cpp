@@ -5,11 +5,11 @@
 #include <tuple>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/certify/direction.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/kd_tree/nearest_point.hpp"
 #include "space/bvh/blocks.hpp"
+#include "surface/topology/between.hpp"
 #include "surface/topology/disjoint_sets.hpp"
 #include "surface/topology/mesh_corner.hpp"
 #include "surface/topology/triangle_lists.hpp"
@@ -17,20 +17,12 @@
 namespace plumb {
 namespace {
 
+using surface::is_strictly_between;
 using surface::names_a_vertex_twice;
 using surface::place_of;
 
 constexpr std::size_t vertices_of_block = 1024;
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-
-/// Is the point on the segment, and neither of its ends?
-bool is_strictly_between(const Point3& a, const Point3& p, const Point3& b) {
-  const auto between = [](double from, double x, double to) {
-    return std::min(from, to) <= x && x <= std::max(from, to);
-  };
-  return between(a.x, p.x, b.x) && between(a.y, p.y, b.y) && between(a.z, p.z, b.z) && p != a && p != b &&
-         collinear(a, p, b);
-}
 
 /// The boxes that hold a point, as boxes are rounded.
 struct AroundPoint {

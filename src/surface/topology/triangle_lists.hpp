@@ -1,4 +1,4 @@
-// Which triangles belong to each of n groups?  One list of all, group by group.
+// Which triangles, or other things by their numbers, belong to each of n groups?  One list of all, group by group.
 //
 // Law: ascending in each group.
 // Cost: linear, by counting.

@@ -101,13 +101,13 @@ json json_of(std::size_t number, const Shell& s) {
           {"crosses_another", s.crosses}};
 }
 
-json shells_of(const SurfaceCheck& s) {
+json shells_of(const SurfaceFaults& s) {
   json shells = json::array();
   for (const std::size_t i : shown_shells(s, most_shells)) shells.push_back(json_of(i, s.shells[i]));
   return shells;
 }
 
-json json_of(const SurfaceCheck& s) {
+json json_of(const SurfaceFaults& s) {
   json j{{"closed", s.closed},
          {"oriented", s.oriented},
          {"inside_out", s.inside_out()},

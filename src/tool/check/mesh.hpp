@@ -29,7 +29,7 @@ struct MeshCheck {
   bool from_file = false;
   std::uint64_t bent_faces = 0;  // of the file, before triangulation
   MeshStatistics statistics;
-  SurfaceCheck surface;
+  SurfaceFaults surface;
   Lattice lattice;
   EdgeAnswers edges;
   std::array<Comparison, kinds.size()> kind;

@@ -60,7 +60,7 @@ std::string shell_text(const Shell& s) {
   return text;
 }
 
-std::string shell_lines(const SurfaceCheck& c) {
+std::string shell_lines(const SurfaceFaults& c) {
   if (c.shells.empty()) return {};
   if (c.shells.size() == 1) return fmt::format("  shells      1: {}\n", shell_text(c.shells[0]));
   constexpr std::size_t most = 10;

@@ -23,7 +23,7 @@ constexpr std::uint64_t least_timed = 10 * 1024;
 
 std::vector<Defect> defects_of(const MeshCheck& c) {
   const MeshStatistics& m = c.statistics;
-  const SurfaceCheck& s = c.surface;
+  const SurfaceFaults& s = c.surface;
   // What mends the one may mend the others.
   const bool more_faces = s.duplicate_triangles + s.opposite_triangles + s.internal_walls != 0;
   const bool more_opens = s.vertices_on_edges + s.internal_walls != 0;

@@ -34,6 +34,7 @@ Manual nearest_manual();
 Manual pairs_manual();
 Manual plan_manual();
 Manual ray_manual();
+Manual repair_manual();
 Manual section_manual();
 Manual sign_manual();
 Manual proof_manual();

@@ -10,35 +10,40 @@ namespace plumb::tool {
 namespace {
 
 std::vector<Command> commands_of(CLI::App& app) {
-  return {bounds_command(app),   check_command(app),  fuzz_command(app),   plan_command(app),    sign_command(app),
-          proof_command(app),    doctor_command(app), ray_command(app),    bvh_command(app),     intersect_command(app),
-          distance_command(app), convex_command(app), inside_command(app), nearest_command(app), pairs_command(app),
-          section_command(app),  convert_command(app)};
+  return {bounds_command(app),  check_command(app),     fuzz_command(app),     plan_command(app),
+          sign_command(app),    proof_command(app),     doctor_command(app),   ray_command(app),
+          bvh_command(app),     intersect_command(app), distance_command(app), convex_command(app),
+          inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
+          convert_command(app), repair_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
-  constexpr std::string_view laboratory = "that is a command of plumb-lab, the laboratory (docs/charts.md)",
-                             solids =
-                                 "solids are not united, cut or intersected yet; 'plumb intersect A B' finds where "
-                                 "two meshes cross, 'plumb section' cuts one by planes",
-                             offsets =
-                                 "meshes are not offset or thickened yet; 'plumb distance' says how far two are apart, "
-                                 "the library asks about all within a radius of a figure (Fat, docs/closest.md)",
-                             repair =
-                                 "meshes are not mended yet; 'plumb check' says what is wrong with them, 'plumb "
-                                 "intersect --obj' shows where they cross themselves",
-                             parts =
-                                 "meshes are not parted into convex pieces yet; 'plumb convex' answers for their "
-                                 "convex hulls, 'plumb bvh' builds trees over them as they are",
-                             scenes =
-                                 "scenes are not played yet; 'plumb pairs' finds boxes that overlap, 'plumb "
-                                 "distance' how far two meshes are apart, the library when moving figures meet",
-                             hulls =
-                                 "'plumb convex' answers for the convex hulls of meshes; the library makes hulls "
-                                 "(convex_hull, docs/hulls.md)",
-                             python =
-                                 "there is no Python module yet; what is asked of meshes and "
-                                 "tables is answered as JSON too (--json)";
+  constexpr std::string_view
+      laboratory = "that is a command of plumb-lab, the laboratory (docs/charts.md)",
+      solids =
+          "solids are not united, cut or intersected yet; 'plumb intersect A B' finds where "
+          "two meshes cross, 'plumb section' cuts one by planes",
+      offsets =
+          "meshes are not offset or thickened yet; 'plumb distance' says how far two are apart, "
+          "the library asks about all within a radius of a figure (Fat, docs/closest.md)",
+      repair =
+          "'plumb repair' mends meshes: it welds, divides edges, fills holes, turns what is inside "
+          "out, and leaves out what is one too many",
+      simpler =
+          "meshes are not simplified or made anew yet; 'plumb repair' mends them, with no more "
+          "change than that takes",
+      parts =
+          "meshes are not parted into convex pieces yet; 'plumb convex' answers for their "
+          "convex hulls, 'plumb bvh' builds trees over them as they are",
+      scenes =
+          "scenes are not played yet; 'plumb pairs' finds boxes that overlap, 'plumb "
+          "distance' how far two meshes are apart, the library when moving figures meet",
+      hulls =
+          "'plumb convex' answers for the convex hulls of meshes; the library makes hulls "
+          "(convex_hull, docs/hulls.md)",
+      python =
+          "there is no Python module yet; what is asked of meshes and "
+          "tables is answered as JSON too (--json)";
 
   // What words begin with that mean the same: "booleans", "boolean-union", "Booleans".
   constexpr std::array<std::pair<std::string_view, std::string_view>, 46> stems{{
@@ -48,7 +53,7 @@ std::string instead_of(const std::string& word) {
       {"offset", offsets},      {"thicken", offsets},      {"inflate", offsets},    {"minkowski", offsets},
       {"repair", repair},       {"mend", repair},          {"fix", repair},         {"heal", repair},
       {"clean", repair},        {"weld", repair},          {"stitch", repair},      {"fill", repair},
-      {"simplif", repair},      {"decimate", repair},      {"remesh", repair},      {"reorient", repair},
+      {"simplif", simpler},     {"decimate", simpler},     {"remesh", simpler},     {"reorient", repair},
       {"convexdecomp", parts},  {"convexpart", parts},     {"convexpiece", parts},  {"decompos", parts},
       {"partition", parts},     {"vhacd", parts},          {"coacd", parts},        {"acd", parts},
       {"scene", scenes},        {"simulat", scenes},       {"physics", scenes},     {"colli", scenes},

@@ -1,0 +1,51 @@
+// `plumb repair`: what is wrong with these meshes that can be mended, mended, and each change told.
+//
+// Laws: (1) one mesh becomes one file, several and folders become a folder of files with their names.  (2) No file that
+// is there is replaced, unless that is asked for, and never one that is read.  (3) Text and JSON tell the same.  (4)
+// What is left of faults is told by what judges any mesh (`plumb check`).
+// Exit code 0 when done, 1 where --fail-on-left is given and a fault is left; a mesh or words that cannot be read, a
+// step that there is not, an output that cannot be written throw Error.
+// Source: plumb/surface/repair/repair.hpp.
+// Cost: that of repair, and of find_faults before it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plumb/surface/repair/repair.hpp"
+#include "tool/mesh/inputs.hpp"
+#include "tool/terminal/terminal.hpp"
+
+namespace plumb::tool {
+
+struct RepairSettings {
+  MeshArguments meshes;
+  std::optional<std::string> output, json;  // "-" is standard output
+  std::vector<std::string> only;            // names of steps
+  double tolerance = 0;
+  std::uint64_t size = 0;  // components of fewer triangles are left out
+  bool chains = false, keep_turned = false, dry_run = false, overwrite = false, fail_on_left = false;
+  unsigned threads = 0;
+};
+
+int run_repair(const RepairSettings& settings);
+
+/// The names of all steps, in the order in which they run.
+std::vector<std::string> step_names();
+
+struct MendedMesh {
+  std::string name;
+  LoadReport load;
+  std::uint64_t vertices = 0, triangles = 0;  // as they were
+  SurfaceFaults before;
+  Repaired done;
+  std::optional<std::string> written;  // the file
+};
+
+std::string repair_text(const MendedMesh& mesh, const Style& style);
+nlohmann::json repair_json(const MendedMesh& mesh);
+
+}  // namespace plumb::tool

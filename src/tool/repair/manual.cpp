@@ -1,0 +1,62 @@
+#include "tool/manual/help_text.hpp"
+
+namespace plumb::tool {
+
+Manual repair_manual() {
+  return {"plumb repair",
+          "mend meshes, and tell each change",
+          {"plumb repair [OPTION]... MESH -o FILE", "plumb repair [OPTION]... MESH... -o FOLDER",
+           "plumb repair [OPTION]... --dry-run MESH..."},
+          {{"DESCRIPTION", R"(
+Reads each MESH as `plumb check` does, takes the steps below in turn,
+and writes the mesh that comes of them. Polygons are triangulated.
+Whatever no step names stays as it was, bit for bit; no vertex gets a
+new coordinate. All is decided exactly; a tolerance is a wish, and is
+compared exactly. What cannot be mended stays, and is told: surfaces
+that cross, holes whose filling would meet the surface, one-sided
+components. At last the mesh is judged as `plumb check` does.)"},
+           {"STEPS", R"(
+Without --only all are taken but slivers, zip where there is no
+tolerance, and small-components where --smallest does not ask for it.
+
+weld   Vertices that are equal, or within --tolerance, become one:
+       clusters no wider than the tolerance, or --chains.
+degenerate
+       Triangles of exactly no area are left out; the neighbor at the
+       longest edge is divided.
+slivers
+       So are triangles of which a corner is within --tolerance of the
+       opposite edge.
+t-junctions
+       Edges are divided where a vertex is exactly on them.
+zip    Open edges within --tolerance of each other are joined.
+duplicates
+       Of triangles on the same three points one is left at most.
+walls  Open shells inside of a solid are left out.
+small-components
+       Components of fewer triangles than --smallest are left out.
+orientation
+       Neighbors are wound alike; the fewer triangles are turned.
+holes  Loops of open edges are filled.
+outward
+       Closed shells that are inside out are turned.
+split  A vertex of several fans becomes one vertex a fan.
+unused Vertices that no triangle names are left out.)"}},
+          {{"EXIT STATUS", R"(
+0      Done.
+1      A fault is left, and --fail-on-left asked.
+2      Bad input: wrong usage, a file that cannot be read or is no mesh,
+       a file that is there already, an output that cannot be written.
+       What was wrong stands on standard error.)"},
+           {"EXAMPLES", R"(
+plumb repair part.stl -o mended.stl
+       What makes a printable solid of it.
+
+plumb repair --dry-run --tolerance 0.01 parts/
+       What would be changed in each mesh of a folder.
+
+plumb repair --only weld,unused part.obj -o welded.obj
+       These steps alone.)"}}};
+}
+
+}  // namespace plumb::tool
