@@ -41,9 +41,48 @@ Foot<T> foot_of(const std::array<Vec3<T>, 3>& corner, const Vec3<T>& p, Feature 
   return foot_on_plane(normal, dot(normal, p - from), p);
 }
 
+/// From p to the corners, all times the weight of the pose.
+template <class T>
+Foot<T> weighted_foot(const WeightedCorners<T>& corners, const Point3& p, Feature feature) {
+  return foot_of(corners.at, corners.beside(vector_of<T>(p)), feature);
+}
+
+/// Of a pose that has a weight: the point by integers, the distance by pairs of doubles first.
+Numbers numbers_of_weighted(const PosedTriangle3& t, const Point3& p, Feature feature, Wanted wanted) {
+  Numbers r;
+  std::optional<WeightedCorners<BigDyadic>> corners;
+  const auto exactly = [&] {
+    if (!corners) corners.emplace(t);
+    return weighted_foot(*corners, p, feature);
+  };
+  if (wanted != Wanted::point) {
+    const WeightedCorners<Ball> quick(t);
+    const Foot<Ball> foot = weighted_foot(quick, p, feature);
+    const auto d = root(quotient(foot.square(), foot.over() * quick.by.weight * quick.by.weight)).nearest();
+    if (d) {
+      r.distance = *d;
+    } else {
+      const Foot<BigDyadic> exact = exactly();
+      const BigDyadic& weight = corners->by.weight;
+      r.distance = plumb::rounded_root(Rounding::nearest, exact.square(), exact.over() * weight * weight);
+    }
+  }
+  if (wanted != Wanted::distance) {
+    const Foot<BigDyadic> exact = exactly();
+    const bool at_point = exact.carrier == Carrier::point;
+    const BigDyadic over = at_point ? corners->by.weight : exact.whole * corners->by.weight;
+    const Vec3<BigDyadic> at = at_point ? exact.from : exact.from * exact.whole + exact.along * exact.part;
+    const auto rounded = [&](const BigDyadic& x) { return rounded_quotient(Rounding::nearest, x, over) + 0.0; };
+    r.point = {rounded(at.x), rounded(at.y), rounded(at.z)};
+  }
+  return r;
+}
+
 Numbers numbers_near(const PosedTriangle3& t, const Point3& p, Feature feature, Wanted wanted) {
-  const auto exactly = [&] { return foot_of(posed_corners<BigDyadic>(t), vector_of<BigDyadic>(p), feature); };
-  return numbers(wanted, foot_of(posed_corners<Ball>(t), vector_of<Ball>(p), feature), p, 0, ExactFoot(exactly));
+  const WeightedCorners<Ball> quick(t);
+  if (quick.by.has_weight) return numbers_of_weighted(t, p, feature, wanted);
+  const auto exactly = [&] { return weighted_foot(WeightedCorners<BigDyadic>(t), p, feature); };
+  return numbers(wanted, weighted_foot(quick, p, feature), p, 0, ExactFoot(exactly));
 }
 
 template <class T>
@@ -65,6 +104,12 @@ struct PosedClosePair {
   WeightedPoint<T> a, b;
   T square, over;  // of the distance
   Feature feature_a, feature_b;
+
+  /// All of it was seen as many times as large.
+  void divide_by(const T& weight) {
+    a.weight = a.weight * weight, b.weight = b.weight * weight;
+    over = over * weight * weight;
+  }
 };
 
 template <class T>
@@ -200,7 +245,8 @@ class PosedSearch {
 template <class T>
 std::optional<PosedClosePair<T>> least_pair(const PosedTriangle3& a, const PosedTriangle3& b, bool in_order,
                                             CertainSigns& ask) {
-  const PosedBody<T> p(posed_corners<T>(a), ask), q(posed_corners<T>(b), ask);
+  const CornersTogether<T> both(a, b);
+  const PosedBody<T> p(both.a, ask), q(both.b, ask);
   std::optional<PosedClosePair<T>> best;
   const auto see = [&](const PosedClosePair<T>& pair) {
     if (best) {
@@ -211,6 +257,7 @@ std::optional<PosedClosePair<T>> least_pair(const PosedTriangle3& a, const Posed
     best = pair;
   };
   PosedSearch<T, decltype(see)>(p, q, ask, see).run();
+  if (best && both.has_weight) best->divide_by(both.weight);
   return best;
 }
 
@@ -226,8 +273,10 @@ double rounded_distance(const PosedClosePair<BigDyadic>& pair) {
 }  // namespace
 
 Feature nearest_feature(const PosedTriangle3& triangle, const Point3& p) {
-  return certainly<CarriedErrors<>>(
-      [&]<class T>(Carrying<T>& ask) { return nearest_feature<T>(posed_corners<T>(triangle), vector_of<T>(p), ask); });
+  return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
+    const WeightedCorners<T> corners(triangle);
+    return nearest_feature<T>(corners.at, corners.beside(vector_of<T>(p)), ask);
+  });
 }
 
 ClosestOnPosed closest_on(const PosedTriangle3& triangle, const Point3& p) {
@@ -239,15 +288,18 @@ double distance(const PosedTriangle3& triangle, const Point3& p) {
   return numbers_near(triangle, p, nearest_feature(triangle, p), Wanted::distance).distance;
 }
 Rational squared_distance_exact(const PosedTriangle3& triangle, const Point3& p) {
-  return rational_square(
-      foot_of(posed_corners<BigDyadic>(triangle), vector_of<BigDyadic>(p), nearest_feature(triangle, p)));
+  const WeightedCorners<BigDyadic> corners(triangle);
+  const Rational square = rational_square(weighted_foot(corners, p, nearest_feature(triangle, p)));
+  if (!corners.by.has_weight) return square;
+  return square / exact_number(corners.by.weight * corners.by.weight);
 }
 Sign compare_distance(const PosedTriangle3& triangle, const Point3& p, double than) {
   return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
-    const auto corners = posed_corners<T>(triangle);
-    const Vec3<T> at = vector_of<T>(p);
-    const Foot<T> foot = foot_of(corners, at, nearest_feature<T>(corners, at, ask));
-    return ask(foot.square() - T(than) * T(than) * foot.over());
+    const WeightedCorners<T> corners(triangle);
+    const Vec3<T> at = corners.beside(vector_of<T>(p));
+    const Foot<T> foot = foot_of(corners.at, at, nearest_feature<T>(corners.at, at, ask));
+    const T far = corners.beside(T(than));
+    return ask(foot.square() - far * far * foot.over());
   });
 }
 

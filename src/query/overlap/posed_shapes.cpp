@@ -72,9 +72,12 @@ using RationalCorners = std::array<std::array<mpq_class, 3>, 3>;
 
 RationalCorners rational_corners(const PosedTriangle3& t) {
   RationalCorners corners;
-  const auto exact = posed_corners<BigDyadic>(t);
-  for (std::size_t i = 0; i < 3; ++i)
-    corners[i] = {gmp_number(exact[i].x), gmp_number(exact[i].y), gmp_number(exact[i].z)};
+  const WeightedCorners<BigDyadic> exact(t);
+  const mpq_class weight = gmp_number(exact.by.weight);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [x, y, z] = exact.at[i];
+    corners[i] = {gmp_number(x) / weight, gmp_number(y) / weight, gmp_number(z) / weight};
+  }
   return corners;
 }
 
@@ -93,16 +96,19 @@ arith::Constraints weights_of_corners() {
 
 template <class Box>
 bool meets_box(const PosedTriangle3& t, const Box& b) {
-  const PosedBox box = box_of(b);
-  const SeparatingWays ways(posed_corners<Approximate>(t), box);
+  const WeightedCorners<Approximate> corners(t);
+  PosedBox box = box_of(b);
+  box.center = corners.beside(box.center);
+  for (Vec3<Approximate>& half : box.half) half = corners.beside(half);
+  const SeparatingWays ways(corners.at, box);
   if (ways.certainly_apart()) return false;
   return ways.certainly_together() || relate_posed("intersects", posed_view(t), posed_view(b)) != Relation::disjoint;
 }
 
-/// normal . corner - offset
+/// normal . corner - offset, times the weight.
 template <class T>
-T excess_over(const Halfspace3& h, const Vec3<T>& corner) {
-  return dot(vector_of<T>(h.normal), corner) - T(h.offset);
+T excess_over(const Halfspace3& h, const WeightedCorners<T>& corners, std::size_t i) {
+  return dot(vector_of<T>(h.normal), corners.at[i]) - corners.beside(T(h.offset));
 }
 
 }  // namespace
@@ -123,22 +129,24 @@ bool intersects(const PosedTriangle3& triangle, const Segment3& segment) {
 
 bool intersects(const PosedTriangle3& triangle, const Halfspace3& halfspace) {
   return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
-    for (const Vec3<T>& corner : posed_corners<T>(triangle)) {
+    const WeightedCorners<T> corners(triangle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const T excess = excess_over(halfspace, corners, i);
       CertainSigns alone;
-      if (alone(excess_over(halfspace, corner)) != Sign::positive && alone.certain()) return true;
-      if (!alone.certain()) (void)ask(excess_over(halfspace, corner));
+      if (alone(excess) != Sign::positive && alone.certain()) return true;
+      if (!alone.certain()) (void)ask(excess);
     }
     return false;
   });
 }
 
 bool intersects(const PosedTriangle3& triangle, const HalfspaceIntersection3& region) {
-  const auto corners = posed_corners<Approximate>(triangle);
+  const WeightedCorners<Approximate> corners(triangle);
   std::array<bool, 3> inside{true, true, true};
   for (const Halfspace3& h : region.halfspaces) {
     int out = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const int s = sure_sign(excess_over(h, corners[i]));
+      const int s = sure_sign(excess_over(h, corners, i));
       inside[i] = inside[i] && s < 0;
       out += s > 0 ? 1 : 0;
     }

@@ -14,9 +14,7 @@ template <class T>
 class PosedSigns {
  public:
   PosedSigns(const PosedTriangle3& a, const PosedTriangle3& b, CertainSigns& ask)
-      : corner_{posed<T>(a.shape.a, a.pose), posed<T>(a.shape.b, a.pose), posed<T>(a.shape.c, a.pose),
-                posed<T>(b.shape.a, b.pose), posed<T>(b.shape.b, b.pose), posed<T>(b.shape.c, b.pose)},
-        ask_(ask) {}
+      : PosedSigns(CornersTogether<T>(a, b), ask) {}
 
   static constexpr bool doubles_first = false;
   static constexpr std::array<std::size_t, 3> axes() { return {0, 1, 2}; }
@@ -36,6 +34,9 @@ class PosedSigns {
   }
 
  private:
+  PosedSigns(const CornersTogether<T>& both, CertainSigns& ask)
+      : corner_{both.a[0], both.a[1], both.a[2], both.b[0], both.b[1], both.b[2]}, ask_(ask) {}
+
   [[nodiscard]] Sign over(const Vec3<T>& normal, std::size_t i, std::size_t j) const {
     return ask_(dot(corner_[j] - corner_[i], normal));
   }
@@ -62,8 +63,8 @@ struct PosedSet {
   Vec3<T> normal;
   int dimension;
 
-  PosedSet(const PosedTriangle3& t, CertainSigns& ask)
-      : corner(posed_corners<T>(t)), normal(cross(corner[1] - corner[0], corner[2] - corner[0])), dimension(2) {
+  PosedSet(const std::array<Vec3<T>, 3>& corners, CertainSigns& ask)
+      : corner(corners), normal(cross(corner[1] - corner[0], corner[2] - corner[0])), dimension(2) {
     if (!is_zero(normal, ask)) return;
     const auto between_others = [&](std::size_t i) {
       return ask(dot(corner[(i + 1) % 3] - corner[i], corner[(i + 2) % 3] - corner[i])) != Sign::positive;
@@ -143,7 +144,8 @@ Sign segment_meets_triangle(const PosedSet<T>& s, const PosedSet<T>& t, CertainS
 /// At most one of them has an area.
 template <class T>
 Relation relate_without_area(const PosedTriangle3& a, const PosedTriangle3& b, CertainSigns& ask) {
-  const PosedSet<T> p(a, ask), q(b, ask);
+  const CornersTogether<T> both(a, b);
+  const PosedSet<T> p(both.a, ask), q(both.b, ask);
   const PosedSet<T>&low = p.dimension < q.dimension ? p : q, &high = p.dimension < q.dimension ? q : p;
   if (low.dimension == 1) {
     return relation(high.dimension == 1 ? segments_meet(low, high, ask) : segment_meets_triangle(low, high, ask));

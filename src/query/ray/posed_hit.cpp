@@ -171,7 +171,7 @@ double nearest(const mpq_class& x) { return rounded(Rounding::nearest, x) + 0.0;
 std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& triangle, HitRule rule) {
   const PosedView view = posed_view(triangle);
   as_given(ray, [&](const auto& given) { require_posed("first_hit", posed_view(given), view); });
-  return first_hit(ray, triangle, rule);
+  return first_hit(ray, PosedTriangle3(triangle), rule);
 }
 
 std::optional<Hit> posed_first_hit(const PosedView& ray, const PosedView& figure) {

@@ -67,7 +67,7 @@ MeasuredGap measured_gap(Question question, const PosedView& a, const PosedView&
 
 Closest posed_closest_points(const Posed<Triangle3>& a, const Posed<Triangle3>& b) {
   require_posed("closest_points", posed_view(a), posed_view(b));
-  return closest_points(a, b);
+  return closest_points(PosedTriangle3(a), PosedTriangle3(b));
 }
 Closest posed_closest_points(const Point3& p, const Posed<Triangle3>& triangle) {
   require_posed("closest_points", posed_view(p), posed_view(triangle));

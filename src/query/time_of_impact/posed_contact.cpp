@@ -8,9 +8,7 @@ namespace {
 
 constexpr Vector3 stands_still{0, 0, 0};
 
-PosedTriangle3 triangle_of(const PosedView& v) {
-  return {*static_cast<const Triangle3*>(v.figure.shape), *std::get<const Pose*>(v.pose.by)};
-}
+PosedTriangle3 triangle_of(const PosedView& v) { return {*static_cast<const Triangle3*>(v.figure.shape), v.pose}; }
 
 Relation posed_at_start(const PosedView& a, const PosedView& b) { return relate(triangle_of(a), triangle_of(b)); }
 

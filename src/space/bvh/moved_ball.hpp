@@ -15,8 +15,8 @@ namespace plumb::space {
 /// Moves balls; `transform` of one finds the stretch anew each time, which is most of its work.
 class BallMover {
  public:
-  BallMover(const char* function, const Pose& pose)
-      : function_(function), pose_(pose), stretch_(largest_stretch(pose)) {}
+  BallMover(const char* function, const MeshPose& pose)
+      : function_(function), pose_(pose), stretch_(pose.matrix() != nullptr ? largest_stretch(*pose.matrix()) : 1) {}
 
   Sphere3 operator()(const Sphere3& ball) const {
     const Aabb3 at = around(pose_, ball.center);
@@ -35,7 +35,7 @@ class BallMover {
 
  private:
   const char* function_;
-  Pose pose_;
+  MeshPose pose_;
   double stretch_;
 };
 

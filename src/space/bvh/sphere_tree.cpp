@@ -92,7 +92,7 @@ SphereTree build_sphere_tree(const TriangleMesh& mesh, const SphereTreeOptions& 
   return build_sphere_tree(build_bvh(mesh, {.method = BvhMethod::linear}), options);
 }
 
-SphereTree transform(const SphereTree& tree, const Pose& pose) {
+SphereTree transform(const SphereTree& tree, const MeshPose& pose) {
   space::require_pose("transform", "tree", pose);
   if (tree.nodes.empty()) return tree;
   const space::BallMover move("transform", pose);

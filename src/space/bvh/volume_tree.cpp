@@ -94,7 +94,7 @@ VolumeTree<Volume> moved_tree(const PosedMesh& mesh, const VolumeTree<Volume>& t
   constexpr const char* function = "posed_volume_tree";
   require_pose(function, "mesh", mesh.pose);
   require_tree_of(function, "tree", mesh.bvh, tree);
-  const Pose& pose = mesh.pose;
+  const PoseView pose = mesh.pose.view();
   const std::span<const BoxNode> nodes = mesh.bvh.tree.nodes.view();
   if constexpr (std::same_as<Volume, Aabb3>) {
     return merged_from_leaves<Volume>(mesh.bvh, execution,
@@ -105,7 +105,7 @@ VolumeTree<Volume> moved_tree(const PosedMesh& mesh, const VolumeTree<Volume>& t
     return merged_from_leaves<Volume>(
         mesh.bvh, execution, [&](std::span<const Point3> points) { return fit_k_dop(points, directions, pose); });
   } else if constexpr (std::same_as<Volume, Sphere3>) {
-    const BallMover move(function, pose);
+    const BallMover move(function, mesh.pose);
     return of_each_node<Volume>(nodes, execution, [&](std::size_t i) { return move(tree.nodes[i].volume); });
   } else {
     return of_each_node<Volume>(nodes, execution, [&](std::size_t i) { return transform(tree.nodes[i].volume, pose); });

@@ -13,7 +13,7 @@
 
 #include "plumb/space/bvh/posed_mesh.hpp"
 #include "query/closest/posed_triangle.hpp"
-#include "space/bvh/vertex_sides.hpp"
+#include "space/closest/vertex_sides.hpp"
 
 namespace plumb::space {
 
@@ -24,7 +24,7 @@ class NearWall {
   [[nodiscard]] bool is_built() const { return wall_.has_value(); }
   void clear() { wall_.reset(); }
   void build(std::uint32_t slot_a, std::uint32_t slot_b) {
-    const Posed<Triangle3> s = a_.triangle(slot_a), t = b_.triangle(slot_b);
+    const PosedTriangle s = a_.triangle(slot_a), t = b_.triangle(slot_b);
     const auto quick = query::quick_closest_points(s, t);
     wall_ = Wall{quick ? std::optional(Slab<Ball>(*quick)) : std::nullopt,
                  Slab<BigDyadic>(query::exact_closest_points(s, t)), VertexSides(a_.bvh.vertices.size()),
@@ -49,8 +49,13 @@ class NearWall {
           weight_b(p[1].weight),
           from(dot(p[0].at, way)),
           to(dot(p[1].at, way)) {}
-    [[nodiscard]] T beyond_from(const query::Vec3<T>& p) const { return dot(p, way) * weight_a - from; }
-    [[nodiscard]] T before_to(const query::Vec3<T>& p) const { return to - dot(p, way) * weight_b; }
+    /// Of a point times a weight.
+    [[nodiscard]] T beyond_from(const query::Vec3<T>& p, const T& weight) const {
+      return dot(p, way) * weight_a - from * weight;
+    }
+    [[nodiscard]] T before_to(const query::Vec3<T>& p, const T& weight) const {
+      return to * weight - dot(p, way) * weight_b;
+    }
   };
   struct Wall {
     std::optional<Slab<Ball>> quick;
@@ -62,14 +67,16 @@ class NearWall {
 
   bool is_behind(std::uint32_t vertex) {
     const auto at = [&]<class T>(const Slab<T>& slab) {
-      return slab.beyond_from(query::posed<T>(a_.bvh.vertices[vertex], a_.pose));
+      const auto by = query::weighted_pose<T>(a_.pose.any_view());
+      return slab.beyond_from(by.image(query::vector_of<T>(a_.bvh.vertices[vertex])), by.weight);
     };
     return !wall_->sides_a.is_beyond(
         vertex, [&] { return wall_->quick ? at(*wall_->quick) : nothing(); }, [&] { return at(wall_->exact); });
   }
   bool is_ahead(std::uint32_t vertex) {
     const auto at = [&]<class T>(const Slab<T>& slab) {
-      return slab.before_to(query::posed<T>(b_.bvh.vertices[vertex], b_.pose));
+      const auto by = query::weighted_pose<T>(b_.pose.any_view());
+      return slab.before_to(by.image(query::vector_of<T>(b_.bvh.vertices[vertex])), by.weight);
     };
     return !wall_->sides_b.is_beyond(
         vertex, [&] { return wall_->quick ? at(*wall_->quick) : nothing(); }, [&] { return at(wall_->exact); });

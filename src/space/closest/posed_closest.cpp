@@ -79,7 +79,7 @@ std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Poin
       mesh.bvh.tree, [&](const BoxNode& node) { return enters(around(mesh, node)); },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const Posed<Triangle3> triangle = mesh.triangle(slot);
+          const PosedTriangle triangle = mesh.triangle(slot);
           if (!enters(around(triangle))) continue;
           const double d = query::distance(triangle, p);
           const auto exact = [&] { return ExactDistance{query::squared_distance_exact(triangle, p)}; };

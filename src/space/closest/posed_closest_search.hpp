@@ -34,7 +34,7 @@ struct NearbyTriangle {
   Triangle3 triangle;
   double off;
 
-  explicit NearbyTriangle(const Posed<Triangle3>& t) : triangle(t.shape), off(0) {
+  explicit NearbyTriangle(const PosedTriangle& t) : triangle(t.shape), off(0) {
     for (Point3* p : {&triangle.a, &triangle.b, &triangle.c}) {
       const Aabb3 box = around(t.pose, *p);
       if (!is_bounded(box)) off = beyond_all;
@@ -92,7 +92,7 @@ std::vector<PosedCandidate> nearest_posed(const PosedMeshOf<Mesh>& mesh, const P
   descend_nearer_first(mesh.bvh.tree, limit, bound, [&](std::uint32_t first, std::uint32_t count, double& now) {
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
       if (slot == offered) continue;
-      const Posed<Triangle3> triangle = mesh.triangle(slot);
+      const PosedTriangle triangle = mesh.triangle(slot);
       if (square_below(point, around(triangle)) > now) continue;
       if (found.size() == k && distance_below(NearbyTriangle(triangle), p) > raised(found.back().distance)) continue;
       watch.triangle();
@@ -192,7 +192,7 @@ class PosedClosestSearch {
     std::ranges::sort(stopped_, by_numbers);
     for (const Candidate& c : stopped_) {
       if (!comes_first(c)) return;
-      const Posed<Triangle3> s = a_.triangle(c.slot_a), t = b_.triangle(c.slot_b);
+      const PosedTriangle s = a_.triangle(c.slot_a), t = b_.triangle(c.slot_b);
       if (distance_below(NearbyTriangle(s), NearbyTriangle(t)) > raised(best_.distance)) continue;
       watch_.triangle();
       if (query::distance(s, t) != best_.distance || compare_exactly(s, t) != 0) continue;
@@ -205,7 +205,7 @@ class PosedClosestSearch {
     const bool first = comes_first(candidate);
     if (meet_ && !first) return;
     watch_.triangle();
-    const Posed<Triangle3> s = a_.triangle(candidate.slot_a), t = b_.triangle(candidate.slot_b);
+    const PosedTriangle s = a_.triangle(candidate.slot_a), t = b_.triangle(candidate.slot_b);
     if (may_meet && query::relate(s, t) != Relation::disjoint) {
       best_ = candidate;
       meet_ = true;
@@ -239,10 +239,10 @@ class PosedClosestSearch {
   }
 
   /// With the best, of distances that round alike.
-  [[nodiscard]] std::partial_ordering compare_exactly(const Posed<Triangle3>& s, const Posed<Triangle3>& t) {
-    const Posed<Triangle3> best_s = a_.triangle(best_.slot_a), best_t = b_.triangle(best_.slot_b);
+  [[nodiscard]] std::partial_ordering compare_exactly(const PosedTriangle& s, const PosedTriangle& t) {
+    const PosedTriangle best_s = a_.triangle(best_.slot_a), best_t = b_.triangle(best_.slot_b);
     const auto features = query::quick_features(s, t), best = query::quick_features(best_s, best_t);
-    const auto same = [&](std::size_t i, const Posed<Triangle3>& one, const Posed<Triangle3>& other) {
+    const auto same = [&](std::size_t i, const PosedTriangle& one, const PosedTriangle& other) {
       return near_feature(one.shape, (*features)[i]) == near_feature(other.shape, (*best)[i]);
     };
     if (features && best && same(0, s, best_s) && same(1, t, best_t)) return std::partial_ordering::equivalent;

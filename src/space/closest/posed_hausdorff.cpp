@@ -17,6 +17,15 @@ namespace {
 /// What makes every image a double, which is below 2^2050 in size, and the root of its inverse; powers of two, exact.
 constexpr double smaller = 0x1p-1030, larger_by_half = 0x1p515;
 
+MeshPose::Rows rows_of(const MeshPose& pose) {
+  if (pose.matrix() == nullptr) return pose.rows();
+  const auto& [c, t] = *pose.matrix();
+  const auto row = [](double u, double v, double w, double shift) {
+    return std::array{Interval(u), Interval(v), Interval(w), Interval(shift)};
+  };
+  return {row(c[0].x, c[1].x, c[2].x, t.x), row(c[0].y, c[1].y, c[2].y, t.y), row(c[0].z, c[1].z, c[2].z, t.z)};
+}
+
 /// A mesh of doubles near to the images of its vertices, all of them moved by -origin and times a scale.
 struct RoundedImage {
   Bvh bvh;
@@ -25,18 +34,17 @@ struct RoundedImage {
   RoundedImage(const PosedMesh& mesh, const Point3& origin, double scale) : bvh(mesh.bvh), off(0) {
     if (mesh.pose == identity_pose && origin == Point3{0, 0, 0} && scale == 1) return;
     query::NearbyPlaces near;
-    const auto& [c, t] = mesh.pose;
+    const MeshPose::Rows rows = rows_of(mesh.pose);
     const Interval by(scale);
-    const auto part = [&](double u, double v, double w, double shift, double from, const Point3& p) {
-      return by * Interval(u) * Interval(p.x) + by * Interval(v) * Interval(p.y) + by * Interval(w) * Interval(p.z) +
-             (by * Interval(shift) - by * Interval(from));
+    const auto part = [&](const std::array<Interval, 4>& row, double from, const Point3& p) {
+      const auto& [u, v, w, shift] = row;
+      return by * u * Interval(p.x) + by * v * Interval(p.y) + by * w * Interval(p.z) +
+             (by * shift - by * Interval(from));
     };
     std::vector<Point3> places;
     places.reserve(bvh.vertices.size());
     for (const Point3& p : bvh.vertices.view()) {
-      places.push_back(near(part(c[0].x, c[1].x, c[2].x, t.x, origin.x, p),
-                            part(c[0].y, c[1].y, c[2].y, t.y, origin.y, p),
-                            part(c[0].z, c[1].z, c[2].z, t.z, origin.z, p)));
+      places.push_back(near(part(rows[0], origin.x, p), part(rows[1], origin.y, p), part(rows[2], origin.z, p)));
     }
     off = near.off();
     refit(bvh, places);
@@ -54,8 +62,9 @@ struct RoundedImages {
   static RoundedImages of(const PosedMesh& a, const PosedMesh& b) {
     RoundedImages images(a, b, {0, 0, 0}, 1);
     if (images.off() == 0) return images;
-    const Vector3& t = a.pose.translation;
-    if (RoundedImages moved(a, b, {t.x, t.y, t.z}, 1); moved.off() < images.off()) images = std::move(moved);
+    const MeshPose::Rows rows = rows_of(a.pose);
+    const Point3 t{rows[0][3].lower, rows[1][3].lower, rows[2][3].lower};
+    if (RoundedImages moved(a, b, t, 1); moved.off() < images.off()) images = std::move(moved);
     if (images.off() < Interval::infinity) return images;
     return {a, b, {0, 0, 0}, smaller};
   }

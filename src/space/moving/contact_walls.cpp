@@ -18,8 +18,8 @@ Vec3<T> velocity_over(const Posed<Vector3>& by) {
 
 /// Of the plane of a triangle; of which length, and whether up or down, is left open.
 template <class T>
-Vec3<T> normal_over(const Posed<Triangle3>& t) {
-  const auto corner = query::posed_corners<T>(t);
+Vec3<T> normal_over(const PosedTriangle& t) {
+  const auto corner = query::WeightedCorners<T>(t).at;
   return cross(corner[1] - corner[0], corner[2] - corner[0]);
 }
 template <class T>
@@ -28,11 +28,20 @@ Vec3<T> turned_over(const Vec3<T>& v) {
   return {zero - v.x, zero - v.y, zero - v.z};
 }
 
+/// Times the weight of the pose.
+template <class T>
+Vec3<T> image_over(const MeshPose& pose, const Point3& p) {
+  return query::weighted_pose<T>(pose.any_view()).image(query::vector_of<T>(p));
+}
+Rational weight_of(const MeshPose& pose) {
+  return exact_number(query::weighted_pose<BigDyadic>(pose.any_view()).weight);
+}
+
 std::array<Point3, 3> shape_corners(const Triangle3& t) { return {t.a, t.b, t.c}; }
 
 /// The highest corner, or the lowest.
-Point3 extreme_corner(const Posed<Triangle3>& t, const Vec3<BigDyadic>& up, Sign way) {
-  const auto heights = query::posed_corners<BigDyadic>(t);
+Point3 extreme_corner(const PosedTriangle& t, const Vec3<BigDyadic>& up, Sign way) {
+  const auto heights = query::WeightedCorners<BigDyadic>(t).at;
   std::size_t most = 0;
   for (std::size_t i = 1; i < 3; ++i) {
     if (dot(heights[i] - heights[most], up).sign() == way) most = i;
@@ -69,7 +78,7 @@ void ContactWalls::build(std::uint32_t slot_a, std::uint32_t slot_b, const Ratio
   }
 }
 
-bool ContactWalls::build_plane(const Posed<Triangle3>& plane, std::uint32_t slot_a, std::uint32_t slot_b,
+bool ContactWalls::build_plane(const PosedTriangle& plane, std::uint32_t slot_a, std::uint32_t slot_b,
                                const Rational& time) {
   Vec3<BigDyadic> up = normal_over<BigDyadic>(plane);
   const auto rise_of = [&] { return dot(velocity_over<BigDyadic>(by_), up); };
@@ -80,10 +89,10 @@ bool ContactWalls::build_plane(const Posed<Triangle3>& plane, std::uint32_t slot
   const Point3 top = extreme_corner(a_.triangle(slot_a), up, Sign::positive);
   const Point3 bottom = extreme_corner(b_.triangle(slot_b), up, Sign::negative);
   const auto heights = [&]<class T>(const Vec3<T>& way) {
-    return Heights<T>{way, dot(query::posed<T>(top, a_.pose), way), dot(query::posed<T>(bottom, b_.pose), way)};
+    return Heights<T>{way, dot(image_over<T>(a_.pose, top), way), dot(image_over<T>(b_.pose, bottom), way)};
   };
   Heights<BigDyadic> exact = heights(up);
-  const Rational gap = exact_number(exact.of_b - exact.of_a);
+  const Rational gap = exact_number(exact.of_b) / weight_of(b_.pose) - exact_number(exact.of_a) / weight_of(a_.pose);
   if (!(gap == time * exact_number(rise))) return false;
   const Vec3<Ball> way = normal_over<Ball>(plane);
   plane_ = Plane{heights(turned ? turned_over(way) : way), std::move(exact), VertexSides(a_.bvh.vertices.size()),
@@ -111,14 +120,14 @@ bool ContactWalls::stop(std::uint32_t slot_a, std::uint32_t slot_b) {
 
 bool ContactWalls::stops_a(std::uint32_t vertex) {
   const Point3& p = a_.bvh.vertices[vertex];
-  const auto above = [&]<class T>(const Heights<T>& h) { return dot(query::posed<T>(p, a_.pose), h.up) - h.of_a; };
+  const auto above = [&]<class T>(const Heights<T>& h) { return dot(image_over<T>(a_.pose, p), h.up) - h.of_a; };
   return !plane_->sides_a.is_beyond(
       vertex, [&] { return above(plane_->quick); }, [&] { return above(plane_->exact); });
 }
 
 bool ContactWalls::stops_b(std::uint32_t vertex) {
   const Point3& p = b_.bvh.vertices[vertex];
-  const auto below = [&]<class T>(const Heights<T>& h) { return h.of_b - dot(query::posed<T>(p, b_.pose), h.up); };
+  const auto below = [&]<class T>(const Heights<T>& h) { return h.of_b - dot(image_over<T>(b_.pose, p), h.up); };
   return !plane_->sides_b.is_beyond(
       vertex, [&] { return below(plane_->quick); }, [&] { return below(plane_->exact); });
 }

@@ -17,7 +17,7 @@
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/space/bvh/posed_mesh.hpp"
 #include "query/body/posed_corners.hpp"
-#include "space/bvh/vertex_sides.hpp"
+#include "space/closest/vertex_sides.hpp"
 
 namespace plumb::space {
 
@@ -39,7 +39,7 @@ class ContactWalls {
   template <class T>
   struct Heights {
     query::Vec3<T> up;
-    T of_a, of_b;  // of the highest of a's triangle, and the lowest of b's
+    T of_a, of_b;  // of the highest of a's triangle, and the lowest of b's, each times the weight of its pose
   };
   struct Plane {
     Heights<Ball> quick;
@@ -51,7 +51,7 @@ class ContactWalls {
     double of_a = 0, of_b = 0;
   };
 
-  bool build_plane(const Posed<Triangle3>& plane, std::uint32_t slot_a, std::uint32_t slot_b, const Rational& time);
+  bool build_plane(const PosedTriangle& plane, std::uint32_t slot_a, std::uint32_t slot_b, const Rational& time);
   bool stops_a(std::uint32_t vertex);
   bool stops_b(std::uint32_t vertex);
 

@@ -95,8 +95,8 @@ class MotionBetweenPoses {
     };
     using query::moving::MovingKind;
     return {{edges ? MovingKind::edge_edge : MovingKind::vertex_triangle, at(mesh_.from), at(mesh_.to)},
-            {&posed_.from, &posed_.to},
-            {&posed_.from, &posed_.to}};
+            {posed_.from.any_view(), posed_.to.any_view()},
+            {posed_.from.any_view(), posed_.to.any_view()}};
   }
 
   const PosedMovingMesh& posed_;
@@ -111,7 +111,8 @@ bool moves_as_given(const char* function, const PosedMovingMesh& mesh, double se
   require_finite_pose(function, "mesh.to", mesh.to);
   require_separation(function, separation);
   if (!(mesh.from == mesh.to)) return false;
-  return mesh.from == identity_pose || (separation == 0 && is_regular(mesh.from));
+  const bool keeps_lengths = mesh.from.matrix() == nullptr || mesh.from == identity_pose;
+  return keeps_lengths || (separation == 0 && is_regular(mesh.from));
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 // A search of posed boxes (translating_search.hpp); under one regular pose the question without it.
 #include "plumb/space/moving/posed_translating.hpp"
 
+#include <string>
+#include <vector>
+
 #include "figure/basic/finite_parts.hpp"
+#include "plumb/figure/basic/rigid_poses.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "query/time_of_impact/posed_contact.hpp"
 #include "space/bvh/posed_box.hpp"
@@ -47,7 +51,8 @@ class PosedMotion {
 };
 
 Posed<Vector3> way_of(const PosedMesh& a, const Vector3& by, MotionAlong along) {
-  return {by, {along == MotionAlong::world ? identity_pose.columns : a.pose.columns, {0, 0, 0}}};
+  const bool is_mapped = along == MotionAlong::mesh_a && a.pose.matrix() != nullptr;
+  return {by, {is_mapped ? a.pose.matrix()->columns : identity_pose.columns, {0, 0, 0}}};
 }
 
 /// Is it the question without poses?
@@ -55,7 +60,47 @@ bool is_posed_alike(const char* function, const PosedMesh& a, const Vector3& by,
                     MotionAlong along) {
   const bool alike = are_moved_alike(function, a, b);
   require_finite_parts(function, {"by"}, by);
-  return alike && (along == MotionAlong::mesh_a || a.pose.columns == identity_pose.columns);
+  const bool keeps_ways = a.pose.matrix() != nullptr && a.pose.matrix()->columns == identity_pose.columns;
+  return alike && (along == MotionAlong::mesh_a || keeps_ways);
+}
+
+/// What undoes all turns of a rigid pose.
+std::vector<RigidPose> turns_back(const MeshPose& pose) {
+  std::vector<RigidPose> back;
+  const auto add = [&](const RigidPose& link) { back.insert(back.begin(), {inverse(link.turn), {0, 0, 0}}); };
+  pose.visit([&]<class By>(const By& by) {
+    if constexpr (std::is_same_v<By, RigidPose>) {
+      add(by);
+    } else if constexpr (std::is_same_v<By, RigidChain>) {
+      for (const RigidPose& link : by.links) add(link);
+    }
+  });
+  return back;
+}
+
+/// Under the turns, a rigid pose or the identity.
+MeshPose turned(const char* function, RigidChain turns, const MeshPose& pose) {
+  pose.visit([&]<class By>(const By& by) {
+    if constexpr (std::is_same_v<By, RigidPose>) {
+      turns.links.push_back(by);
+    } else if constexpr (std::is_same_v<By, RigidChain>) {
+      turns.links.insert(turns.links.end(), by.links.begin(), by.links.end());
+    } else if (!(by == identity_pose)) {
+      throw InvalidShape(std::string(function) +
+                         ": a moves along its own rigid pose, but b is under a matrix; give b a rigid pose as well");
+    }
+  });
+  return turns;
+}
+
+/// ask(a, by, b), by a vector of the world or one that a's matrix maps; along a rigid pose all is turned back by it.
+template <class Ask>
+auto along_way(const char* function, const PosedMesh& a, const Vector3& by, const PosedMesh& b, MotionAlong along,
+               const Ask& ask) {
+  if (along == MotionAlong::world || a.pose.matrix() != nullptr) return ask(PosedMotion(a, way_of(a, by, along), b));
+  const RigidChain back{turns_back(a.pose)};
+  const PosedMesh own(a.bvh, turned(function, back, a.pose)), other(b.bvh, turned(function, back, b.pose));
+  return ask(PosedMotion(own, {by, identity_pose}, other));
 }
 
 }  // namespace
@@ -63,18 +108,20 @@ bool is_posed_alike(const char* function, const PosedMesh& a, const Vector3& by,
 
 std::optional<MeshContact> first_contact(const PosedMesh& a, const Vector3& by, const PosedMesh& b, MotionAlong along) {
   if (space::is_posed_alike("first_contact", a, by, b, along)) return first_contact(a.bvh, by, b.bvh);
-  const space::PosedMotion motion(a, space::way_of(a, by, along), b);
-  const auto found = space::TranslatingSearch(motion).run();
-  if (!found) return {};
-  return MeshContact{found->a, found->b, *motion.contact(found->slot_a, found->slot_b)};
+  return space::along_way("first_contact", a, by, b, along, [](const auto& motion) -> std::optional<MeshContact> {
+    const auto found = space::TranslatingSearch(motion).run();
+    if (!found) return {};
+    return MeshContact{found->a, found->b, *motion.contact(found->slot_a, found->slot_b)};
+  });
 }
 
 std::optional<Root> first_contact_time(const PosedMesh& a, const Vector3& by, const PosedMesh& b, MotionAlong along) {
   if (space::is_posed_alike("first_contact_time", a, by, b, along)) return first_contact_time(a.bvh, by, b.bvh);
-  const space::PosedMotion motion(a, space::way_of(a, by, along), b);
-  const auto found = space::TranslatingSearch(motion).run();
-  if (!found) return {};
-  return motion.time(found->slot_a, found->slot_b);
+  return space::along_way("first_contact_time", a, by, b, along, [](const auto& motion) -> std::optional<Root> {
+    const auto found = space::TranslatingSearch(motion).run();
+    if (!found) return {};
+    return motion.time(found->slot_a, found->slot_b);
+  });
 }
 
 }  // namespace plumb

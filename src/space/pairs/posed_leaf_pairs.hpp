@@ -36,7 +36,7 @@ class PosedLeafPairs {
         if (is_own_ && a_.bvh.number(p.slot) == b_.bvh.number(q.slot)) continue;  // one triangle in two slots
         if (!boxes_meet(p.box, q.box)) continue;
         const Relation relation = is_own_ ? relate_flattened(a_.bvh.vertices.view(), a_.bvh.corners_of(p.slot),
-                                                             a_.bvh.corners_of(q.slot), a_.pose)
+                                                             a_.bvh.corners_of(q.slot), *a_.pose.matrix())
                                           : query::relate(a_.triangle(p.slot), b_.triangle(q.slot));
         if (relation == Relation::disjoint) continue;
         std::uint32_t item_a = a_.bvh.number(p.slot), item_b = b_.bvh.number(q.slot);

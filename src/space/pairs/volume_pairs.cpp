@@ -35,7 +35,7 @@ class BoxedLeaf {
   [[nodiscard]] const Aabb3& box(std::size_t i) const { return boxes_[i]; }
   [[nodiscard]] std::uint32_t slot(std::size_t i) const { return first_ + static_cast<std::uint32_t>(i); }
   [[nodiscard]] std::uint32_t item(std::size_t i) const { return mesh_.bvh.tree.items[slot(i)]; }
-  [[nodiscard]] Posed<Triangle3> triangle(std::size_t i) const { return mesh_.triangle(first_ + i); }
+  [[nodiscard]] PosedTriangle triangle(std::size_t i) const { return mesh_.triangle(first_ + i); }
 
  private:
   const PosedMesh& mesh_;

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> posed_found(const PosedMeshOf<Mesh>& mesh, const Shap
       mesh.bvh.tree, [&](const BoxNode& node) { return may_meet_posed(around(mesh, node), shape); },
       [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t slot = first; slot < first + count; ++slot) {
-          const Posed<Triangle3> triangle = mesh.triangle(slot);
+          const PosedTriangle triangle = mesh.triangle(slot);
           if (may_meet_posed(around(triangle), shape) && query::intersects(triangle, shape))
             items.push_back(mesh.bvh.number(slot));
         }

@@ -73,11 +73,11 @@ class HitSearch : public TriangleVisitor {
   [[nodiscard]] std::optional<SlotHit> between(std::uint32_t slot, bool certain, double least, double most) const;
   [[nodiscard]] bool is_before(const SlotHit& a, const SlotHit& b) const;
 
-  [[nodiscard]] Posed<Triangle3> posed(std::uint32_t slot) const { return {triangles_.triangle(slot), *pose_}; }
+  [[nodiscard]] PosedTriangle posed(std::uint32_t slot) const { return {triangles_.triangle(slot), *pose_}; }
 
   const AnyRay* ray_;
   const SeenRay* seen_ = nullptr;
-  const Pose* pose_ = nullptr;  // of a mesh that has one
+  const MeshPose* pose_ = nullptr;  // of a mesh that has one
   SlotTriangles triangles_;
   HitRule rule_;
   RaySlabs::Keys keys_;

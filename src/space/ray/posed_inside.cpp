@@ -25,11 +25,11 @@ Sign moved_side_of(const query::Vec3<T>& a, const query::Vec3<T>& b, CertainSign
 }
 
 /// Which way does the ray from p along x leave through the triangle, which p is not on?  Zero: it does not.
-Sign crossing_of(const Posed<Triangle3>& triangle, const Point3& p) {
+Sign crossing_of(const PosedTriangle& triangle, const Point3& p) {
   return certainly<CarriedErrors<>>([&]<class T>(Carrying<T>& ask) {
-    const query::Vec3<T> from = query::vector_of<T>(p);
-    const auto corners = query::posed_corners<T>(triangle);
-    const query::Vec3<T> a = corners[0] - from, b = corners[1] - from, c = corners[2] - from;
+    const query::WeightedCorners<T> corners(triangle);
+    const query::Vec3<T> from = corners.beside(query::vector_of<T>(p));
+    const query::Vec3<T> a = corners.at[0] - from, b = corners.at[1] - from, c = corners.at[2] - from;
     const Sign way = moved_side_of(a, b, ask);
     if (way == Sign::zero || moved_side_of(b, c, ask) != way || moved_side_of(c, a, ask) != way) return Sign::zero;
     return ask(query::dot(a, query::cross(b, c))) == way ? way : Sign::zero;
@@ -52,7 +52,7 @@ std::optional<std::vector<PosedCrossing>> posed_crossings(const PosedMeshOf<Mesh
   std::vector<PosedCrossing> crossed;
   const auto visit = [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
-      const Posed<Triangle3> triangle = mesh.triangle(slot);
+      const PosedTriangle triangle = mesh.triangle(slot);
       const Aabb3 box = around(triangle);
       if (!ahead(box)) continue;
       if (box.min.x <= p.x && query::hits(point, triangle, HitRule::closed)) return Descent::stop;

@@ -5,6 +5,7 @@
 
 #include "arith/approximate.hpp"
 #include "plumb/arith/interval.hpp"
+#include "query/body/weighted_pose.hpp"
 #include "query/ray/numbers.hpp"
 
 namespace plumb::space {
@@ -41,8 +42,11 @@ query::RayDoubts doubts_of(const Aabb3& box, const Balls& from, const Balls& way
   return {edge.reach(), sum.reach(), plane.reach(), (plane - sum).reach(), true};
 }
 
-std::array<Balls, 3> inverse_of(const Pose& pose) {
-  const auto [a, b, c] = std::array{balls(pose.columns[0]), balls(pose.columns[1]), balls(pose.columns[2])};
+/// Of columns over a weight.
+std::array<Balls, 3> inverse_of(const query::WeightedPose<Ball>& by) {
+  const auto part = [&](const Balls& v) { return by.has_weight ? divided(v, by.weight) : v; };
+  const std::array columns{part(by.columns[0]), part(by.columns[1]), part(by.columns[2])};
+  const auto& [a, b, c] = columns;
   const Balls bc = cross(b, c);
   const Ball determinant = dot(a, bc);
   return {divided(bc, determinant), divided(cross(c, a), determinant), divided(cross(a, b), determinant)};
@@ -50,8 +54,15 @@ std::array<Balls, 3> inverse_of(const Pose& pose) {
 
 }  // namespace
 
-Sight::Sight(const Pose& pose, const BoxFrame& frame, const FloatBox3& all)
-    : translation_(pose.translation), frame_(frame), all_(all), box_{{0, 0, 0}, {0, 0, 0}}, rows_(inverse_of(pose)) {
+Sight::Sight(const MeshPose& pose, const BoxFrame& frame, const FloatBox3& all)
+    : translation_{Ball{0}, Ball{0}, Ball{0}},
+      frame_(frame),
+      all_(all),
+      box_{{0, 0, 0}, {0, 0, 0}},
+      rows_{translation_, translation_, translation_} {
+  const auto by = query::weighted_pose<Ball>(pose.any_view());
+  translation_ = by.has_weight ? divided(by.translation, by.weight) : by.translation;
+  rows_ = inverse_of(by);
   if (all.min[0] <= all.max[0]) box_ = frame.outside(all);
 }
 
@@ -59,7 +70,7 @@ std::optional<SeenRay> Sight::operator()(const AnyRay& ray) const {
   if (query::has_no_direction(ray)) return {};
   const auto turned = [&](const Balls& v) { return Balls{dot(rows_[0], v), dot(rows_[1], v), dot(rows_[2], v)}; };
   const Balls origin = balls(ray.origin);
-  const Balls from = turned(origin - balls(translation_));
+  const Balls from = turned(origin - translation_);
   const Balls way = turned(ray.kind == AnyRay::Kind::segment ? balls(ray.end) - origin : balls(ray.direction));
   const query::RayDoubts doubts = doubts_of(box_, from, way);
   if (!(doubts.edge + doubts.sum + doubts.plane + doubts.end < Ball::infinity)) return {};

@@ -39,9 +39,9 @@ class Sight {
 
  private:
   using Balls = arith::Vec<Ball>;
-  Sight(const Pose& pose, const BoxFrame& frame, const FloatBox3& all);
+  Sight(const MeshPose& pose, const BoxFrame& frame, const FloatBox3& all);
 
-  Vector3 translation_;
+  Balls translation_;
   BoxFrame frame_;
   FloatBox3 all_;              // the tree's box; of no corners one around nothing
   Aabb3 box_;                  // of all corners, unposed

@@ -35,7 +35,7 @@ TEST(PosedBox, HoldsItsCornersAndNoNumberIsNone) {
     }
     const auto t = m.shape<Triangle3>();
     for (const Point3& p : {t.a, t.b, t.c})
-      ASSERT_TRUE(holds(space::around(Posed<Triangle3>{t, pose}), image(p, pose))) << m.about(t, pose);
+      ASSERT_TRUE(holds(space::around(PosedTriangle{t, MeshPose(pose)}), image(p, pose))) << m.about(t, pose);
     ++(space::is_bounded(around) ? bounded : unbounded);
   });
   EXPECT_GT(bounded, battery::fitting(1000));

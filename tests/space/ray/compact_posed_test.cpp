@@ -24,7 +24,7 @@ void expect_hits(const AnyRay& ray, const TriangleMesh& mesh, const PosedCompact
                  const std::string& about) {
   std::vector<TrueHit> expected;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    auto t = query::first_hit_parameter(ray, posed_triangle(mesh, i, small.pose), rule);
+    auto t = query::first_hit_parameter(ray, posed_triangle(mesh, i, *small.pose.matrix()), rule);
     if (t) expected.push_back({i, std::move(*t)});
   }
   std::stable_sort(expected.begin(), expected.end(), [](const TrueHit& a, const TrueHit& b) { return a.t < b.t; });
@@ -156,7 +156,7 @@ void expect_range(Material& m, const TriangleMesh& mesh, const PosedCompactMesh&
   const auto shape = m.shape<Shape>();
   std::vector<std::uint32_t> expected;
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (query::intersects(posed_triangle(mesh, i, small.pose), shape)) expected.push_back(i);
+    if (query::intersects(posed_triangle(mesh, i, *small.pose.matrix()), shape)) expected.push_back(i);
   }
   EXPECT_EQ(triangles_meeting(small, shape), expected) << m.about();
   EXPECT_EQ(triangles_meeting(small, std::span<const Shape>(&shape, 1)).at(0), expected) << m.about();

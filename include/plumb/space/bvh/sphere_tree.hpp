@@ -22,10 +22,9 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/arith/pose.hpp"
 #include "plumb/figure/basic/mesh.hpp"
 #include "plumb/figure/basic/round.hpp"
-#include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/posed_mesh.hpp"
 
 namespace plumb {
 
@@ -69,6 +68,6 @@ SphereTree build_sphere_tree(const TriangleMesh& mesh, const SphereTreeOptions& 
 SphereTree build_sphere_tree(const Bvh& mesh, const SphereTreeOptions& options = {});
 
 /// Of the exact image; laws 1 to 4 hold of it.  NonFinite for a pose that is NaN or infinite.
-SphereTree transform(const SphereTree& tree, const Pose& pose);
+SphereTree transform(const SphereTree& tree, const MeshPose& pose);
 
 }  // namespace plumb

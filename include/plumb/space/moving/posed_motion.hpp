@@ -3,7 +3,7 @@
 //   for (const MotionContact& c : contacts_in_motion({cloth, pose_now, pose_next})) resolve(c);
 //
 // At time t in [0, 1] vertex i is at (1 - t) P + t Q, of which P is the image of mesh.from[i] under the one pose, Q that
-// of mesh.to[i] under the other.  The two poses may be the same.
+// of mesh.to[i] under the other, in between along a line.  The two poses may be the same, and of different kinds.
 // Laws: those of motion_contacts.hpp, of the exact images, which are not rounded.  So under one pose at both times
 // contacts are those without it, and at the same times, where its matrix is regular and no separation is asked for.
 // The mesh must outlive the PosedMovingMesh.
@@ -14,17 +14,18 @@
 // a separation ten times as many.  Bounded by n^2 contacts of pairs, on integers as long as the exponents' span.
 #pragma once
 
-#include "plumb/arith/pose.hpp"
+#include "plumb/space/bvh/posed_mesh.hpp"
 #include "plumb/space/moving/motion_contacts.hpp"
 
 namespace plumb {
 
 struct PosedMovingMesh {
   const MovingMesh& mesh;
-  Pose from, to;
+  MeshPose from, to;
 
   PosedMovingMesh(const MovingMesh& m, const Pose& at_0, const Pose& at_1) : mesh(m), from(at_0), to(at_1) {}
-  PosedMovingMesh(MovingMesh&&, const Pose&, const Pose&) = delete;  // which would not live
+  PosedMovingMesh(const MovingMesh& m, const MeshPose& at_0, const MeshPose& at_1) : mesh(m), from(at_0), to(at_1) {}
+  PosedMovingMesh(MovingMesh&&, const MeshPose&, const MeshPose&) = delete;  // which would not live
 };
 
 std::vector<MotionContact> contacts_in_motion(const PosedMovingMesh& mesh, const MotionContactOptions& options = {},

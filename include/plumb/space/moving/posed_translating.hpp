@@ -3,7 +3,8 @@
 //   if (const auto hit = first_contact({part, turn}, {0, 0, -10}, table)) use(hit->contact.time, hit->a, hit->b);
 //
 // Laws: those of translating_mesh.hpp, of the exact images (plumb/space/bvh/posed_mesh.hpp).  The vector is one of the
-// world; MotionAlong::mesh_a has a's matrix map it, exactly, as it maps a's vertices.  So two meshes under one pose,
+// world; MotionAlong::mesh_a has a's pose map it, exactly, as it maps a's vertices, which b under a matrix of its own
+// excludes where a's is rigid (InvalidShape).  So two meshes under one pose,
 // and a vector that it maps along with them, have the contact and the time that they have without it, where its matrix
 // is regular.
 // A pose or a vector that is NaN or infinite throws NonFinite ("first_contact: a.pose.translation.x is nan, ...").
