@@ -145,6 +145,10 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) {
        (void)side_of(ThickPlane3{vector(c.b[0]), c.b[1].x, std::fabs(c.b[2].x)}, c.p);
      }},
+    {"support_value under a pose", "query/convex/posed_support.hpp", linear, 50,
+     [](const Cloud& c) {
+       (void)support_value(Posed{c.p, pose(c.b)}, vector(c.a[4]));
+     }},
     {"ConvexLocator2", "query/convex/location.hpp", linear, 5,
      [](const Cloud& c) {
        const Hull2 hull = convex_hull(c.flat);
@@ -252,7 +256,7 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) {
        (void)first_contact(Translating<ConvexPolyhedron3>{c.p, vector(c.a[4])}, c.q);
      }},
-    {"first_contact, flat", "query/time_of_impact/flat_contact.hpp", quadratic, 200,
+    {"first_contact, flat", "query/time_of_impact/posed.hpp", quadratic, 200,
      [](const Cloud& c) {
        (void)first_contact(Translating<Polygon3>{{{c.a[0], c.a[1], c.a[2]}}, vector(c.a[4])}, tetrahedron(c.b));
      },

@@ -98,6 +98,16 @@ Exact3 operator*(const mpq_class& t, const Exact3& v) {
   return {mpq_class(t * v[0]), mpq_class(t * v[1]), mpq_class(t * v[2])};
 }
 bool is_zero(const Exact3& v) { return sgn(v[0]) == 0 && sgn(v[1]) == 0 && sgn(v[2]) == 0; }
+std::size_t rank_of(const std::vector<Exact3>& vectors) {
+  std::vector<Exact3> rows;
+  for (const Exact3& v : vectors) {
+    if (is_zero(v)) continue;
+    if (rows.empty()) rows.push_back(v);
+    if (rows.size() == 1 && !is_zero(cross(rows[0], v))) rows.push_back(v);
+    if (rows.size() == 2 && sgn(dot(cross(rows[0], rows[1]), v)) != 0) return 3;
+  }
+  return rows.size();
+}
 Exact3 primitive(const Exact3& v) {
   if (is_zero(v)) return v;
   mpz_class multiple = 1, divisor = 0;

@@ -86,6 +86,9 @@ PlaneSection section(const FlatSet& s, const Exact3& normal, const mpq_class& of
 Relation relate(const FlatSet& a, const FlatSet& b);
 bool intersects(const FlatSet& a, const FlatSet& b);
 
+/// How many of the vectors are independent?
+std::size_t rank_of(const std::vector<Exact3>& vectors);
+
 /// Of the same direction, of integers without a common factor; zero of zero.
 Exact3 primitive(const Exact3& v);
 

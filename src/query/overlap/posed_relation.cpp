@@ -210,6 +210,19 @@ class PosedRelation {
   PosedSet a_, b_;
 };
 
+/// Has the image points that are on no boundary?
+bool has_inside(const PosedView& v) {
+  const PosedSet s = posed_set(v);
+  if (v.figure.dimension == 2 && is_flat_kind(v.figure.kind) && is_polygon(v.figure))
+    return !is_singular(s.map) && normal_of(exact_chains("locate", v.figure)).has_value();
+  if (is_singular(s.map) || s.is_empty()) return false;
+  if (s.is_round() || s.has_axis() || s.cap != nullptr) return true;
+  std::vector<Exact3> ways = s.core.directions;
+  ways.insert(ways.end(), s.core.lines.begin(), s.core.lines.end());
+  for (const Exact3& p : s.core.points) ways.push_back(p - s.core.points[0]);
+  return rank_of(ways) == static_cast<std::size_t>(v.figure.dimension);
+}
+
 void require_ellipsoid(std::string_view function, std::string_view name, const Ellipsoid3& e) {
   const auto part = [&](std::string_view member) { return std::string(name).append(member); };
   require_finite_parts(function, {part(".center"), part(".axes[0]"), part(".axes[1]"), part(".axes[2]"), part(".half")},
@@ -231,6 +244,12 @@ Relation relate_posed(std::string_view function, const PosedView& a, const Posed
   }
   if (const auto quick = relate_posed_quickly(a, b)) return *quick;
   return PosedRelation(function, a, b)();
+}
+
+Location posed_locate(const PosedView& figure, const FigureView& point) {
+  const Relation relation = relate_posed("locate", figure, {point});
+  if (relation == Relation::disjoint) return Location::outside;
+  return relation == Relation::overlapping && has_inside(figure) ? Location::inside : Location::boundary;
 }
 
 Relation relate_ellipsoid(std::string_view function, const Ellipsoid3& a, const PosedView& b) {

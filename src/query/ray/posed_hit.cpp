@@ -4,13 +4,13 @@
 
 #include "arith/big_rounding.hpp"
 #include "arith/exact_number.hpp"
-#include "arith/rounded_radical.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/ray/posed.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_set.hpp"
+#include "query/convex/rounded_root.hpp"
 #include "query/overlap/polygon_relation.hpp"
 #include "query/ray/posed_faces.hpp"
 #include "query/ray/posed_triangle.hpp"
@@ -121,15 +121,7 @@ bool sees_line(std::string_view function, const PosedSet& s, const FigureView& f
 
 /// base + share * root of t's square, of the sign that t has: rounded once.
 double rounded_at(const mpq_class& base, const mpq_class& share, const RayParameter& t) {
-  const mpq_class& square = gmp_number(t.square);
-  const auto number = [](const mpz_class& x) { return BigDyadic(x); };
-  const mpz_class root = square.get_num() * square.get_den();  // of (share / den) sqrt(num den)
-  mpq_class over = share / square.get_den();
-  if (!t.greater) over = -over;
-  const mpz_class scale = base.get_den() * over.get_den();
-  return rounded_radical(Rounding::nearest, number(base.get_num() * over.get_den()),
-                         number(over.get_num() * base.get_den()), number(root), number(scale)) +
-         0.0;
+  return rounded_with_root(Rounding::nearest, base, t.greater ? share : mpq_class(-share), gmp_number(t.square));
 }
 
 Hit rounded_hit(const SeenHit& seen, const ExactShot& shot, const ExactMap& map) {

@@ -12,18 +12,6 @@ Corner<BigDyadic, 3> exact_corner(const RationalPoint3& p) {
   return c;
 }
 
-/// How many of the vectors are independent?
-std::size_t rank_of(const std::vector<Exact3>& vectors) {
-  std::vector<Exact3> rows;
-  for (const Exact3& v : vectors) {
-    if (is_zero(v)) continue;
-    if (rows.empty()) rows.push_back(v);
-    if (rows.size() == 1 && !is_zero(cross(rows[0], v))) rows.push_back(v);
-    if (rows.size() == 2 && sgn(dot(cross(rows[0], rows[1]), v)) != 0) return 3;
-  }
-  return rows.size();
-}
-
 SolidIntersection3 bounded_set(std::vector<Exact3> points, const std::vector<ExactHalfspace>& halfspaces) {
   std::ranges::sort(points);
   SolidCorners<BigDyadic> of;

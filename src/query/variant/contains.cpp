@@ -26,10 +26,11 @@ namespace {
 template <class Point>
 Location located(const AnyFigure& figure, const Point& p) {
   const FigureView point = view_of(p), v = figure.figure();
-  if (figure.is_posed() || v.dimension != point.dimension) refuse_pair("locate", v, point);
+  if (v.dimension != point.dimension) refuse_pair("locate", v, point);
   return visit(
       [&]<class Shape>(const Shape& s) -> Location {
-        if constexpr (requires { locate(s, p); }) return locate(s, p);
+        if constexpr (requires { locate(s, p); })
+          return figure.is_posed() ? posed_locate(figure.view(), point) : locate(s, p);
         refuse_pair("locate", v, point);
       },
       figure);

@@ -1,5 +1,6 @@
 #include "plumb/figure/aabb/posed_aabb.hpp"
 #include "plumb/figure/k_dop/k_dop.hpp"
+#include "plumb/query/convex/posed_support.hpp"
 #include "plumb/query/variant/questions.hpp"
 
 namespace plumb::query {
@@ -12,9 +13,8 @@ Aabb3 box_in_space(const Aabb2& box) { return {{box.min.x, box.min.y, 0}, {box.m
 
 template <class Ask>
 auto ask_along(std::string_view question, const AnyFigure& figure, const Vector3& direction, const Ask& ask) {
-  const auto refuse = [&] { refuse_figure(question, figure.figure()); };
   using Answer = decltype(ask(Sphere3{}, direction));
-  if (figure.is_posed() || (figure.dimension() == 2 && !(direction.z == 0))) refuse();
+  if (figure.dimension() == 2 && !(direction.z == 0)) refuse_figure(question, figure.figure());
   return visit(
       [&]<class Shape>(const Shape& s) -> Answer {
         if constexpr (figure_dimension<Shape> == 2) {
@@ -31,6 +31,7 @@ auto ask_along(std::string_view question, const AnyFigure& figure, const Vector3
 }  // namespace
 
 Support3 any_support_point(const AnyFigure& figure, const Vector3& direction) {
+  if (figure.is_posed()) refuse_figure("support_point", figure.figure());
   return ask_along(
       "support_point", figure, direction, [](const auto& s, const auto& d) requires requires { support_point(s, d); } {
         return support_in_space(support_point(s, d));
@@ -40,8 +41,9 @@ Support3 any_support_point(const AnyFigure& figure, const Vector3& direction) {
 double any_support_value(const AnyFigure& figure, const Vector3& direction, Rounding rounding) {
   return ask_along(
       "support_value", figure,
-      direction, [rounding](const auto& s, const auto& d) requires requires { support_value(s, d, rounding); } {
-        return support_value(s, d, rounding);
+      direction, [&](const auto& s, const auto& d) requires requires { support_value(s, d, rounding); } {
+        return figure.is_posed() ? posed_support_value(figure.view(), direction, rounding)
+                                 : support_value(s, d, rounding);
       });
 }
 
@@ -54,6 +56,8 @@ Aabb3 any_fit_aabb(const AnyFigure& figure) {
                 if constexpr (requires { fit_aabb(s); }) return box_in_space(fit_aabb(s));
               } else if constexpr (requires { figure::box::fitted_image(s, pose); }) {
                 return box_in_space(figure::box::fitted_image(s, pose));
+              } else if constexpr (requires { fit_aabb(Posed{s, pose}); }) {
+                return posed_box(figure.view());
               }
               refuse_figure(figure.is_posed() ? "fit_aabb under a pose" : "fit_aabb", figure.figure());
             },

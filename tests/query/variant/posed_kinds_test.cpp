@@ -105,13 +105,7 @@ struct Gap {
   std::string_view why;
 };
 const std::array gaps{
-    Gap{"locate under no pose", {}, "contains and relate tell where a point is to what is posed"},
     Gap{"support_point under no pose", {}, "the point is none of doubles; gjk_bounds takes it with its rounding"},
-    Gap{"support_value under no pose", {}, "fit_aabb tells it along the axes, rounded once"},
-    Gap{"fit_aabb under no pose",
-        {"cylinder", "cone", "cap"},
-        "a bound has roots of the pose's numbers; transform holds it"},
-    Gap{"fit_aabb under no pose", {"k-dop"}, "transform fits it"},
     Gap{"first_contact_span under no pose", {}, "first_contact_time is the time itself"},
     Gap{"first_contact_span not of AnyFigure", {}, "first_contact_time is the time itself"},
 };

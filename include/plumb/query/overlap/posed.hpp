@@ -24,6 +24,7 @@
 
 #include "plumb/figure/aabb/relation.hpp"
 #include "plumb/figure/basic/answered.hpp"
+#include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/k_dop/k_dop.hpp"
 #include "plumb/figure/sphere/sphere.hpp"
 #include "plumb/figure/swept_sphere/swept_sphere.hpp"
@@ -37,6 +38,7 @@ namespace query {
 Relation relate_posed(std::string_view function, const PosedView& a, const PosedView& b);
 
 bool posed_contains(const PosedView& outer, const PosedView& inner);
+Location posed_locate(const PosedView& figure, const FigureView& point);
 
 template <class A, class B>
 concept PosedPair = PosedFigures<A, B> && RelatedPair<UnposedType<A>, UnposedType<B>>;
@@ -65,6 +67,24 @@ template <class Shape, class Point>
 requires(query::PosedPair<Shape, Point>&& figure_kind<query::UnposedType<Point>> == FigureKind::point)  //
     bool contains(const Shape& shape, const Point& p) {
   return query::relate_posed("contains", query::posed_view(shape), query::posed_view(p)) != Relation::disjoint;
+}
+
+/// As above, though locate takes it as well: of what it tells the name is this one's.
+template <class Shape>
+requires LocatesPoints<Shape, Point2> && query::is_posed<Shape>
+bool contains(const Shape& shape, const Point2& p) {
+  return query::relate_posed("contains", query::posed_view(shape), query::posed_view(p)) != Relation::disjoint;
+}
+template <class Shape>
+requires LocatesPoints<Shape, Point3> && query::is_posed<Shape>
+bool contains(const Shape& shape, const Point3& p) {
+  return query::relate_posed("contains", query::posed_view(shape), query::posed_view(p)) != Relation::disjoint;
+}
+/// Of what a matrix flattens all is boundary.
+template <class Shape, class By, class Point>
+requires(PosedOrNot<Posed<Shape, By>>&& LocatesPoints<Shape, Point>) Location
+    locate(const Posed<Shape, By>& posed, const Point& p) {
+  return query::posed_locate(query::posed_view(posed), query::view_of(p));
 }
 
 /// Every point of the inner one?
