@@ -46,6 +46,7 @@
 #include "plumb/figure/containment/contains.hpp"          // in any shape
 #include "plumb/figure/containment/polygon_location.hpp"  // in a polygon
 #include "plumb/query/convex/containment.hpp"             // bounds of every kind
+#include "plumb/query/convex/posed_support.hpp"           // how far a figure under a pose reaches
 #include "plumb/query/convex/separating_face.hpp"         // does a face part two convex polyhedra?
 #include "plumb/query/convex/thick_plane.hpp"             // within so much of a plane, in front or behind
 
@@ -123,11 +124,10 @@
 // When do they meet on their way?  first_contact
 #include "plumb/arith/root.hpp"                                // a time as it is
 #include "plumb/query/time_of_impact/continuous_contact.hpp"   // vertices that move linearly
-#include "plumb/query/time_of_impact/flat_contact.hpp"         // figures of the plane along lines
 #include "plumb/query/time_of_impact/interval_halving.hpp"     // any motion of bounded speed
 #include "plumb/query/time_of_impact/motion.hpp"               // Moving, Translating
 #include "plumb/query/time_of_impact/moving_distance.hpp"      // what has a distance
-#include "plumb/query/time_of_impact/posed.hpp"                // polygons, polytopes, figures under poses, along lines
+#include "plumb/query/time_of_impact/posed.hpp"                // polygons, polytopes, the plane, poses, along lines
 #include "plumb/query/time_of_impact/posed_corners.hpp"        // vertices that move from pose to pose
 #include "plumb/query/time_of_impact/restated.hpp"             // boxes by width or by center
 #include "plumb/query/time_of_impact/translating_contact.hpp"  // convex figures along lines

@@ -66,7 +66,7 @@ TEST(OwnFigure, PlacesAndBoxesAreThoseOfRationals) {
 // As Fat says it of the triangle, and as the ball or the capsule that it may be.
 TEST(OwnFigure, IsAskedWithEveryFigure) {
   std::array<int, 3> seen{};
-  int with_kind = 0;
+  int with_kind = 0, timed = 0;
   for (std::uint64_t i = 0; i < 600; ++i) {
     Entropy e(23, i);
     const auto number = [&e] { return static_cast<double>(e.within(4)); };
@@ -109,6 +109,20 @@ TEST(OwnFigure, IsAskedWithEveryFigure) {
     as_body(Segment3{p, q}), as_body(Sphere3{p, 1}), as_body(Tetrahedron3{p, q, r, {0, 0, 0}});
     const mine::Cushion other{{p, q, r}, 1};
     EXPECT_EQ(relate(cushion, other), relate(fat, Fat{other.core, 1})) << "replay: " << i;
+    // Which of two that meet has the radius does not matter.
+    const auto expect_time = [&](const auto& b, const auto& grown) {
+      const auto time = first_contact_time(Translating{cushion, by}, b);
+      EXPECT_EQ(time, first_contact_time(Translating{cushion.core, by}, grown)) << "replay: " << i;
+      EXPECT_EQ(intersects(Translating{cushion, by}, b), time.has_value()) << "replay: " << i;
+      const auto met = first_contact(b, Translating{Posed{cushion, RigidPose{}}, by});
+      ASSERT_EQ(met.has_value(), time.has_value()) << "replay: " << i;
+      if (met) {
+        EXPECT_EQ(met->time, time->rounded(Rounding::down) + 0.0) << "replay: " << i;
+      }
+      timed += time && time->sign() == Sign::positive;
+    };
+    expect_time(p, Sphere3{p, cushion.radius}), expect_time(Sphere3{p, 1}, Sphere3{p, 1 + cushion.radius});
+    expect_time(Segment3{p, q}, Capsule3{p, q, cushion.radius});
     EXPECT_EQ(contains(Aabb3{{-3, -3, -3}, {3, 3, 3}}, cushion),
               contains(Aabb3{{-3, -3, -3}, {3, 3, 3}}, fit_aabb(cushion)))
         << "replay: " << i;
@@ -131,8 +145,13 @@ TEST(OwnFigure, IsAskedWithEveryFigure) {
   }
   for (const int n : seen) EXPECT_GT(n, 20);
   EXPECT_GT(with_kind, 100);
+  EXPECT_GT(timed, 100);
   const mine::Cushion cushion{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, 1}, thin{cushion.core, 0};
   EXPECT_THROW(first_hit(Ray3{{1, 1, 9}, {0, 0, -1}}, cushion), Unsupported);
+  const Polygon3 roof{{{0, 0, 9}, {4, 0, 9}, {0, 4, 9}}};
+  EXPECT_THROW(first_contact(Translating{cushion, {0, 0, 16}}, roof), Unsupported);
+  EXPECT_EQ(first_contact(Translating{thin, {0, 0, 18}}, roof)->time, 0.5);
+  EXPECT_EQ(first_contact(Translating{cushion, {0, 0, 16}}, Triangle3{{0, 0, 9}, {4, 0, 9}, {0, 4, 9}})->time, 0.5);
   EXPECT_EQ(first_hit(Ray3{{1, 1, 9}, {0, 0, -1}}, thin)->t, 9);
   EXPECT_THROW(relate(mine::Cushion{cushion.core, -1}, cushion), InvalidShape);
 }

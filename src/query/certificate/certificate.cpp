@@ -5,12 +5,26 @@
 
 #include "arith/exact_number.hpp"
 #include "arith/running_error.hpp"
+#include "plumb/figure/basic/polyhedron.hpp"
 #include "query/certificate/evidence.hpp"
-#include "query/certificate/sound_bodies.hpp"
+#include "query/separation/convex_body.hpp"
 #include "query/separation/told_pair.hpp"
 
 namespace plumb::query {
 namespace {
+
+/// A ConvexPolyhedron3 is checked, whoever filled it in.
+std::array<Body, 2> sound_bodies(std::string_view function, const BodyView& a, const BodyView& b) {
+  std::array<Body, 2> bodies = bodies_of(function, a, b);
+  const bool alike = bodies[0].corners.polyhedron() != nullptr && bodies[1].corners.polyhedron() != nullptr;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (const ConvexPolyhedron3* p = bodies[i].corners.polyhedron()) {
+      const std::string_view name = !alike ? "polyhedron" : i == 0 ? "a" : "b";
+      check_polyhedron(*p, std::string(function).append(": ").append(name));
+    }
+  }
+  return bodies;
+}
 
 /// The same way in integers without a common factor.
 ExactVector3 direction_in_integers(const Exact3& n) {

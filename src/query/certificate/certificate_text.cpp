@@ -8,6 +8,7 @@
 #include "certify/case_line.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/body/detail/with_figure.hpp"
+#include "query/body/boundary.hpp"
 #include "query/separation/convex_body.hpp"
 
 namespace plumb {
@@ -40,25 +41,8 @@ Json json_of(const List& list) {
 template <class Shape>
 Json json_of_figure(const Shape& s) {
   constexpr FigureKind kind = figure_kind<Shape>;
-  const auto vertices = [](const auto& list) { return Json{{"vertices", json_of(list)}}; };
-  if constexpr (figure_dimension<Shape> != 3) {
+  if constexpr (figure_dimension<Shape> != 3 || !query::has_boundary<Shape> || kind == FigureKind::holed_polygon) {
     return {};
-  } else if constexpr (kind == FigureKind::point) {
-    return vertices(std::array{s});
-  } else if constexpr (kind == FigureKind::segment) {
-    return vertices(std::array{s.a, s.b});
-  } else if constexpr (kind == FigureKind::triangle) {
-    return vertices(std::array{s.a, s.b, s.c});
-  } else if constexpr (kind == FigureKind::quadrilateral || kind == FigureKind::tetrahedron) {
-    return vertices(std::array{s.a, s.b, s.c, s.d});
-  } else if constexpr (kind == FigureKind::polygon) {
-    return vertices(s.vertices);
-  } else if constexpr (kind == FigureKind::convex_polyhedron) {
-    return vertices(s.mesh.vertices);
-  } else if constexpr (kind == FigureKind::ball) {
-    return {{"vertices", json_of(std::array{s.center})}, {"radius", json_of(s.radius)}};
-  } else if constexpr (kind == FigureKind::capsule) {
-    return {{"vertices", json_of(std::array{s.a, s.b})}, {"radius", json_of(s.radius)}};
   } else if constexpr (kind == FigureKind::lozenge) {
     return {{"corner", json_of(s.corner)}, {"edges", json_of(s.edges)}, {"radius", json_of(s.radius)}};
   } else if constexpr (kind == FigureKind::aabb) {
@@ -66,7 +50,10 @@ Json json_of_figure(const Shape& s) {
   } else if constexpr (kind == FigureKind::obb || kind == FigureKind::rectangle) {
     return {{"center", json_of(s.center)}, {"axes", json_of(s.axes)}, {"half", json_of(s.half)}};
   } else {
-    return {};
+    Json json{{"vertices", Json::array()}};
+    query::for_each_corner<double>(s, [&json](const auto& p) { json["vertices"].push_back(json_of(p)); });
+    if constexpr (requires { s.radius; }) json["radius"] = json_of(s.radius);
+    return json;
   }
 }
 

@@ -1,13 +1,35 @@
 // The conditions of query/certificate/certificate.hpp, one by one, in rational numbers.  Nothing is searched for.
 #include "plumb/query/certificate/verify.hpp"
 
+#include <bit>
+#include <cmath>
+#include <limits>
+
 #include "arith/exact_number.hpp"
-#include "query/certificate/is_rounded.hpp"
 #include "query/certificate/span.hpp"
 #include "query/separation/convex_body.hpp"
 
 namespace plumb::query {
 namespace {
+
+/// Is this the double nearest to root(square) - inset, or to zero where that is negative?  What is in the middle goes to the
+/// even one (IEEE 754-2019, 4.3.1), and beyond the middle between the last one and 2^1024 to infinity.
+bool is_rounded(double r, const mpq_class& square, const mpq_class& inset) {
+  if (std::isnan(r) || std::signbit(r)) return false;
+  constexpr auto infinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
+  const auto bits = std::bit_cast<std::uint64_t>(r);
+  const auto value = [](std::uint64_t of) {
+    if (of != infinity) return mpq_class(std::bit_cast<double>(of));
+    return mpq_class(mpz_class(1) << 1024);
+  };
+  const auto beyond_middle = [&](std::uint64_t neighbor) {  // is the distance?
+    const mpq_class middle = (value(bits) + value(neighbor)) / 2 + inset;
+    return cmp(square, mpq_class(middle * middle));
+  };
+  const int in_middle = (bits & 1) == 0 ? 0 : 1;
+  if (bits > 0 && beyond_middle(bits - 1) < in_middle) return false;
+  return bits == infinity || beyond_middle(bits + 1) <= -in_middle;
+}
 
 using Exact = arith::Vec<mpq_class>;
 using Pairs = std::vector<WeightedPair>;

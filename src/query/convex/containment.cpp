@@ -10,8 +10,8 @@
 #include "plumb/query/body/detail/with_figure.hpp"
 #include "query/body/boundary.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/convex/convex_view.hpp"
 #include "query/convex/round_parts.hpp"
+#include "query/convex/set.hpp"
 
 namespace plumb::query {
 namespace {

@@ -1,8 +1,7 @@
-#include "query/convex/convex_view.hpp"
-
 #include "arith/exact_number.hpp"
 #include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/bound_value.hpp"
+#include "query/convex/set.hpp"
 
 namespace plumb::query::meeting {
 namespace {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "certify/exact_coordinates.hpp"
@@ -20,6 +21,8 @@
 #include "plumb/figure/basic/plane.hpp"
 #include "plumb/figure/basic/polygon.hpp"
 #include "plumb/figure/basic/simplex.hpp"
+#include "plumb/query/body/pairs.hpp"
+#include "query/convex/flat_set.hpp"
 
 namespace plumb::query::meeting {
 
@@ -119,6 +122,14 @@ ConvexSet<N> line_set(const Point<N>& a, const Point<N>& b);
 /// The sign of the bound's value at a point as given, exactly.
 Sign value_sign(const Bound<2>& bound, const Point2& p);
 Sign value_sign(const Bound<3>& bound, const Point3& p);
+
+/// A figure whose type was forgotten, of the plane or of space; nothing of one that has no vertices and edges known in doubles
+/// or in dyadic numbers: k-DOPs, halfspaces.
+std::optional<ConvexSet<2>> convex_set2(const FigureView& v);
+std::optional<ConvexSet<3>> convex_set3(const FigureView& v);
+/// In rationals: k-DOPs and intersections of halfspaces as well.  Empty with one halfspace that holds nothing.
+std::vector<ExactHalfspace> halfspaces_of(const FigureView& v);
+std::vector<ExactHalfspace> halfspaces_of(const ConvexSet<3>& set);
 
 ConvexSet<2> convex_set(const Line2& line);
 ConvexSet<2> convex_set(const Ray2& ray);

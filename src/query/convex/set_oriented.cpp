@@ -1,9 +1,10 @@
 // Oriented boxes, and hulls of points that no doubles hold, as what bounds them: by integers.
 #include <algorithm>
-#include <span>
 
 #include "plumb/certify/direction.hpp"
+#include "query/body/boundary.hpp"
 #include "query/convex/bound_value.hpp"
+#include "query/convex/extreme_chain.hpp"
 #include "query/convex/set_parts.hpp"
 
 namespace plumb::query::meeting {
@@ -38,19 +39,16 @@ Bound<3> bound_at(const Numbers3& gradient, const Numbers3& on, int side) {
   return bound;
 }
 
-/// The center, plus or minus half extents times axes.
 template <std::size_t N, class Box>
-std::vector<Vec<BigDyadic, N>> corners_of(const Box& box, std::span<const double> half) {
+std::vector<Vec<BigDyadic, N>> corners_of(const Box& box) {
   std::vector<Vec<BigDyadic, N>> corners;
-  for (unsigned k = 0; k < 1U << half.size(); ++k) {
-    Vec<BigDyadic, N> p = made<BigDyadic, N>(box.center);
-    for (std::size_t i = 0; i < half.size(); ++i) {
-      const Vec<BigDyadic, N> direction = made<BigDyadic, N>(box.axes[i]);
-      const BigDyadic reach((k >> i & 1) != 0 ? half[i] : -half[i]);
-      for (std::size_t axis = 0; axis < N; ++axis) p[axis] = p[axis] + direction[axis] * reach;
+  for_each_corner<BigDyadic>(box, [&](const arith::Vec<BigDyadic>& p) {
+    if constexpr (N == 2) {
+      corners.push_back({p.x, p.y});
+    } else {
+      corners.push_back({p.x, p.y, p.z});
     }
-    corners.push_back(std::move(p));
-  }
+  });
   return corners;
 }
 
@@ -75,7 +73,7 @@ Bound<2> bound_at(const Numbers2& gradient, const Numbers2& on, int side) {
 }  // namespace
 
 ConvexSet<2> convex_set(const Obb2& box) {
-  std::vector<Numbers2> corners = corners_of<2>(box, std::array{box.half.x, box.half.y});
+  std::vector<Numbers2> corners = corners_of<2>(box);
   std::swap(corners[2], corners[3]);  // once around
   const Numbers2 d = corners[1] - corners[0], e = corners[3] - corners[0];
   const Sign turn = det2(d[0], d[1], e[0], e[1]).sign();
@@ -107,9 +105,7 @@ ConvexSet<2> convex_set(const Obb2& box) {
   return set;
 }
 
-ConvexSet<3> convex_set(const Rectangle3& rectangle) {
-  return flat_set(corners_of<3>(rectangle, std::array{rectangle.half.x, rectangle.half.y}));
-}
+ConvexSet<3> convex_set(const Rectangle3& rectangle) { return flat_set(corners_of<3>(rectangle)); }
 
 ConvexSet<3> flat_set(std::vector<Vec<BigDyadic, 3>> corners) {
   std::sort(corners.begin(), corners.end(),
@@ -142,18 +138,12 @@ ConvexSet<3> flat_set(std::vector<Vec<BigDyadic, 3>> corners) {
   set.bounds.push_back(bound_at(normal, first, 0));
   const Seen look = looks[static_cast<std::size_t>(set.look)];
   const std::size_t right = look.right, up = look.up;
-  const auto left_of = [&](const Numbers3& a, const Numbers3& b, const Numbers3& c) {
+  const auto left_of = [&](std::size_t i, std::size_t j, std::size_t k) {
+    const Numbers3 &a = corners[i], &b = corners[j], &c = corners[k];
     return det2(b[right] - a[right], b[up] - a[up], c[right] - a[right], c[up] - a[up]).sign() == Sign::positive;
   };
   std::vector<Numbers3> chain;
-  const auto add = [&](const Numbers3& p, std::size_t keep) {
-    while (chain.size() > keep && !left_of(chain[chain.size() - 2], chain.back(), p)) chain.pop_back();
-    chain.push_back(p);
-  };
-  for (const Numbers3& p : corners) add(p, 1);
-  const std::size_t lower = chain.size();
-  for (std::size_t i = corners.size() - 1; i-- > 0;) add(corners[i], lower);
-  chain.pop_back();
+  for (const std::size_t i : extreme_chain(corners.size(), left_of)) chain.push_back(corners[i]);
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Numbers3 &a = chain[i], &b = chain[(i + 1) % chain.size()];
     Numbers3 outward{BigDyadic(0.0), BigDyadic(0.0), BigDyadic(0.0)};
@@ -167,22 +157,8 @@ ConvexSet<3> flat_set(std::vector<Vec<BigDyadic, 3>> corners) {
 }
 
 ConvexSet<3> convex_set(const Obb3& box) {
-  const Numbers3 center = made<BigDyadic, 3>(box.center);
-  std::array<Numbers3, 3> reach;
-  const std::array half{box.half.x, box.half.y, box.half.z};
-  for (std::size_t i = 0; i < 3; ++i) {
-    reach[i] = made<BigDyadic, 3>(box.axes[i]);
-    for (BigDyadic& x : reach[i]) x = x * BigDyadic(half[i]);
-  }
-  std::vector<Numbers3> corners;
-  for (unsigned k = 0; k < 8; ++k) {
-    Numbers3 p = center;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        p[axis] = (k >> i & 1) != 0 ? p[axis] + reach[i][axis] : p[axis] - reach[i][axis];
-    }
-    corners.push_back(p);
-  }
+  std::vector<Numbers3> corners = corners_of<3>(box);
+  const std::array reach{corners[1] - corners[0], corners[2] - corners[0], corners[4] - corners[0]};
   const Sign turn = dot(reach[0], cross(reach[1], reach[2])).sign();
   if (turn == Sign::zero) return flat_set(std::move(corners));
   ConvexSet<3> set;

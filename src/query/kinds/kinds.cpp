@@ -11,14 +11,15 @@
 #include "plumb/arith/rational.hpp"
 #include "plumb/degenerate/own_kind.hpp"
 #include "plumb/figure/aabb/relation.hpp"
+#include "plumb/figure/basic/mesh.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/ray/parity.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/kinds/kind_generators.hpp"
 #include "query/kinds/kind_hit.hpp"
 #include "query/kinds/kind_hull.hpp"
-#include "query/kinds/kind_mesh.hpp"
 #include "query/kinds/mesh_generators.hpp"
 
 namespace plumb::degenerate {
@@ -26,6 +27,32 @@ namespace plumb::degenerate {
 namespace {
 
 using Given = std::span<const double>;
+
+/// From the count of vertices on.
+TriangleMesh mesh_from(Given q) {
+  TriangleMesh mesh;
+  const std::size_t end = 1 + 3 * static_cast<std::size_t>(q[0]);
+  for (std::size_t i = 1; i < end; i += 3) mesh.vertices.push_back({q[i], q[i + 1], q[i + 2]});
+  for (std::size_t i = end + 1; i < q.size(); i += 3) {
+    mesh.triangles.push_back(
+        {static_cast<std::uint32_t>(q[i]), static_cast<std::uint32_t>(q[i + 1]), static_cast<std::uint32_t>(q[i + 2])});
+  }
+  return mesh;
+}
+
+Answer exact_mesh_hit(Given q, const Convention& convention) {
+  const Ray3 ray{{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
+  const TriangleMesh mesh = mesh_from(q.subspan(6));
+  // Rounding keeps the order: the least of the rounded parameters is the least one, rounded.
+  Answer first = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Answer hit = first_hit_under(ray, {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, convention);
+    if (hit.numbers[0] != 0 && (first.numbers[0] == 0 || hit.numbers[1] < first.numbers[1])) first = hit;
+  }
+  return first;
+}
+
+Location locate_in_mesh(Given q) { return locate(mesh_from(q.subspan(3)), Point3{q[0], q[1], q[2]}); }
 
 Point2 point2(Given q, std::size_t at) { return {q[at], q[at + 1]}; }
 Point3 point3(Given q, std::size_t at) { return {q[at], q[at + 1], q[at + 2]}; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "query/convex/extreme_chain.hpp"
+
 namespace plumb::query {
 namespace {
 
@@ -177,15 +179,10 @@ std::vector<Exact2> convex_hull(std::vector<Exact2> points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   std::vector<Exact2> hull;
-  const auto go = [&](auto begin, auto end, std::size_t least) {
-    for (auto p = begin; p != end; ++p) {
-      while (hull.size() > least && turn(hull[hull.size() - 2], hull.back(), *p) <= 0) hull.pop_back();
-      hull.push_back(*p);
-    }
-  };
-  go(points.begin(), points.end(), 1);
-  go(points.rbegin() + 1, points.rend(), hull.size());
-  hull.pop_back();
+  for (const std::size_t i : extreme_chain(points.size(), [&](std::size_t a, std::size_t b, std::size_t c) {
+         return turn(points[a], points[b], points[c]) > 0;
+       }))
+    hull.push_back(points[i]);
   return hull;
 }
 

@@ -1,4 +1,4 @@
-// Polygons in space, of any chains in one plane, with holes or without.
+// Polygons in space, of any chains in one plane, with holes or without; quadrilaterals are polygons of four corners.
 //
 // Beside its chains a point is inside where they wind around it an odd number of times: where a line through it, moved
 // as by the half-open rule, goes through an odd number of the triangles that fan out from the first vertex of each
@@ -7,6 +7,7 @@
 
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
+#include "query/body/boundary.hpp"
 #include "query/ray/answers.hpp"
 
 namespace plumb::query {
@@ -15,15 +16,10 @@ namespace {
 /// Corners of all chains; facet i is edge i, of two corners.
 struct PolygonModel {
   std::vector<Point3> corners;
-  std::vector<std::uint32_t> first;  // of each chain, and the end
+  std::vector<std::uint32_t> first{0};  // of each chain, and the end
   PlaneOfPoints plane;
   bool holds_origin = false;  // of the ray, which begins there
 
-  void add(const std::vector<Point3>& chain) {
-    if (first.empty()) first.push_back(0);
-    corners.insert(corners.end(), chain.begin(), chain.end());
-    first.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
   [[nodiscard]] std::uint32_t edges() const { return static_cast<std::uint32_t>(corners.size()); }
   [[nodiscard]] std::uint32_t after(std::uint32_t i) const {
     std::size_t chain = 1;
@@ -139,32 +135,30 @@ std::optional<Decided> PolygonModel::decide(const ShotLine<T>& line, RaySigns& a
   return Decided{when, feature.value_or(Feature{FeatureKind::edge, when.index}), true, 0};
 }
 
-}  // namespace
-
 template <class Polygon>
 PolygonModel polygon_model(const Polygon& polygon, const RayQuestion& asked) {
   const auto& [function, ray] = asked;
   PolygonModel model;
-  if constexpr (requires { polygon.outer; }) {
-    model.add(polygon.outer.vertices);
-    for (const Polygon3& hole : polygon.holes) model.add(hole.vertices);
-  } else {
-    model.add(polygon.vertices);
-  }
+  model.corners.reserve(4), model.first.reserve(2);
+  boundary::for_each_chain(polygon, [&](const auto& chain) {
+    boundary::for_each_place(chain, [&](const Point3& p) { model.corners.push_back(p); });
+    model.first.push_back(model.edges());
+  });
   model.plane = plane_of_points(model.corners);
-  require_planar(function, "polygon", model.plane);
+  require_planar(function, std::is_same_v<Polygon, Quadrilateral3> ? "quadrilateral" : "polygon", model.plane);
   model.holds_origin = (begins(ray) || has_no_direction(ray)) && contains(polygon, ray.origin);
   return model;
 }
-template <class F>
-auto with_model(const Polygon3& polygon, const RayQuestion& asked, const F& f) {
-  return f(polygon_model(polygon, asked));
-}
-template <class F>
-auto with_model(const HoledPolygon3& polygon, const RayQuestion& asked, const F& f) {
+
+}  // namespace
+
+template <class Polygon, class F>
+requires(is_one_of(figure_kind<Polygon>, polygon_kinds)) auto with_model(const Polygon& polygon,
+                                                                         const RayQuestion& asked, const F& f) {
   return f(polygon_model(polygon, asked));
 }
 
+template struct RayAnswers<Quadrilateral3>;
 template struct RayAnswers<Polygon3>;
 template struct RayAnswers<HoledPolygon3>;
 

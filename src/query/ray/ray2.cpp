@@ -8,49 +8,60 @@
 #include <tuple>
 #include <vector>
 
+#include "figure/basic/in_space.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/query/ray/hits.hpp"
-#include "query/ray/lifted.hpp"
+#include "query/body/boundary.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/ray/numbers.hpp"
 
 namespace plumb::query {
 namespace {
 
-using plumb::in_space, query::in_space;
+using plumb::in_space;
+
+/// The ray in z = 0.
+AnyRay in_space(const AnyRay2& r) {
+  if (r.kind == AnyRay::Kind::segment) return Segment3{plumb::in_space(r.origin), plumb::in_space(r.end)};
+  const Vector3 direction{r.direction.x, r.direction.y, 0};
+  if (r.kind == AnyRay::Kind::line) return Line3{plumb::in_space(r.origin), direction};
+  return Ray3{plumb::in_space(r.origin), direction};
+}
+
+/// Throws as query/body/figure_input.hpp says.
+template <class Shape>
+void require_ray2(std::string_view function, const AnyRay2& ray, const Shape& s) {
+  switch (ray.kind) {
+    case AnyRay::Kind::ray:
+      return require_figures(function, Ray2{ray.origin, ray.direction}, s);
+    case AnyRay::Kind::segment:
+      return require_figures(function, Segment2{ray.origin, ray.end}, s);
+    default:
+      return require_figures(function, Line2{ray.origin, ray.direction}, s);
+  }
+}
 
 struct Edge2 {
   Point2 a, b;
   std::uint32_t at_a, at_b, number;
 };
 
-void add_chain(std::vector<Edge2>& edges, std::span<const Point2> chain) {
-  const auto first = static_cast<std::uint32_t>(edges.size()), n = static_cast<std::uint32_t>(chain.size());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t j = i + 1 < n ? i + 1 : 0;
-    edges.push_back({chain[i], chain[j], first + i, first + j, first + i});
-  }
-}
 template <class Shape>
 std::vector<Edge2> edges_of(const Shape& s) {
-  std::vector<Edge2> edges;
-  if constexpr (requires { s.outer; }) {
-    add_chain(edges, s.outer.vertices);
-    for (const Polygon2& hole : s.holes) add_chain(edges, hole.vertices);
-  } else if constexpr (requires { s.vertices; }) {
-    add_chain(edges, s.vertices);
-  } else if constexpr (requires { s.min; }) {
-    const auto& [p, q] = s;
-    if (is_empty(s)) return edges;
-    const std::array<Point2, 4> at{p, {q.x, p.y}, {p.x, q.y}, q};
-    edges = {{at[0], at[1], 0, 1, 0}, {at[2], at[3], 2, 3, 1}, {at[0], at[2], 0, 2, 2}, {at[1], at[3], 1, 3, 3}};
-  } else if constexpr (requires { s.d; }) {
-    add_chain(edges, std::array{s.a, s.b, s.c, s.d});
-  } else if constexpr (requires { s.c; }) {
-    add_chain(edges, std::array{s.a, s.b, s.c});
-  } else {
-    edges.push_back({s.a, s.b, 0, 1, 0});
-  }
-  return edges;
+  struct Heard {
+    std::vector<Point2> corners;
+    std::vector<Edge2> edges;
+
+    void corner(const arith::Vec<double>& p) { corners.push_back({p.x, p.y}); }
+    void edge(std::uint32_t from, std::uint32_t to, std::uint32_t number) {
+      edges.push_back({corners[from], corners[to], from, to, number});
+    }
+    void face(std::span<const std::uint32_t>, std::uint32_t) {}
+  } heard;
+  heard.corners.reserve(4), heard.edges.reserve(4);
+  if (!is_nothing(s)) tell_boundary<double>(s, heard);
+  return std::move(heard.edges);
 }
 
 template <class T>

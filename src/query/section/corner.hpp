@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "query/convex/extreme_chain.hpp"
 #include "query/section/clip.hpp"
 
 namespace plumb::query::meeting {
@@ -137,22 +138,12 @@ void sort_corners(std::vector<Corner<T, N>>& corners, CertainSigns& ask) {
   corners = std::move(sorted);
 }
 
-/// Of ascending corners at(0) ... at(count - 1) the extreme ones, counterclockwise from the first (Andrew 1979).
+/// Of ascending corners at(0) ... at(count - 1) the extreme ones, as seen.
 template <class At>
 std::vector<std::size_t> extreme_chain(std::size_t count, const At& at, Seen look, CertainSigns& ask) {
-  std::vector<std::size_t> chain;
-  const auto add = [&](std::size_t i, std::size_t keep) {
-    while (chain.size() > keep &&
-           turn(at(chain[chain.size() - 2]), at(chain.back()), at(i), look, ask) != Sign::positive) {
-      chain.pop_back();
-    }
-    chain.push_back(i);
-  };
-  for (std::size_t i = 0; i < count; ++i) add(i, 1);
-  const std::size_t lower = chain.size();
-  for (std::size_t i = count - 1; i-- > 0;) add(i, lower);
-  chain.pop_back();
-  return chain;
+  return query::extreme_chain(count, [&](std::size_t i, std::size_t j, std::size_t k) {
+    return turn(at(i), at(j), at(k), look, ask) == Sign::positive;
+  });
 }
 
 template <class T, std::size_t N>

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "plumb/query/section/intersection.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/convex/set.hpp"
 #include "query/section/corner_name.hpp"
 
 namespace plumb::query::meeting {
@@ -186,3 +189,17 @@ Intersection2 meet(const ConvexSet<2>& a, const ConvexSet<2>& b) { return meet_s
 Intersection3 meet(const ConvexSet<3>& a, const ConvexSet<3>& b) { return meet_sets<3>(a, b); }
 
 }  // namespace plumb::query::meeting
+
+namespace plumb::query {
+
+Intersection2 common_set2(const FigureView& a, const FigureView& b) {
+  require_figures("intersection", a, b);
+  return meeting::meet(meeting::convex_set2(a).value(), meeting::convex_set2(b).value());
+}
+
+Intersection3 common_set3(const FigureView& a, const FigureView& b) {
+  require_figures("intersection", a, b);
+  return meeting::meet(meeting::convex_set3(a).value(), meeting::convex_set3(b).value());
+}
+
+}  // namespace plumb::query

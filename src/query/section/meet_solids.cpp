@@ -1,9 +1,15 @@
-#include "query/section/meet_solids.hpp"
-
+// Two solids.  A vertex of the common set is a vertex of one of them, or lies on an edge of one and a face of the other, so that
+// edges alone are clipped, as in meet.hpp.  A face lies on a bound of one of them; on which bounds a corner lies is
+// known from what it is made of, and of corners at one place by what all of them are made of.  What has no volume lies
+// on one bound whole: solids that touch are parted by the plane of a face.
 #include <algorithm>
 
+#include "plumb/query/section/solid.hpp"
+#include "query/body/figure_input.hpp"
+#include "query/convex/set.hpp"
 #include "query/section/corner_name.hpp"
 #include "query/section/meet.hpp"
+#include "query/section/meet_halfspaces.hpp"
 #include "query/section/solid_faces.hpp"
 
 namespace plumb::query::meeting {
@@ -131,8 +137,6 @@ class SolidMeeting {
   std::vector<int> seen_a_, seen_b_;  // vertices that have been added
 };
 
-}  // namespace
-
 SolidIntersection3 meet_solids(const ConvexSet<3>& a, const ConvexSet<3>& b) {
   if (a.dimension != 3 || b.dimension != 3) {
     Intersection3 common = meet(a, b);
@@ -151,4 +155,21 @@ SolidIntersection3 meet_solids(const ConvexSet<3>& a, const ConvexSet<3>& b) {
   return std::move(*SolidMeeting<BigDyadic>(a, b, of_a, of_b, own_a, own_b)());
 }
 
+}  // namespace
 }  // namespace plumb::query::meeting
+
+namespace plumb::query {
+
+using namespace meeting;
+
+SolidIntersection3 common_solid(const FigureView& a, const FigureView& b) {
+  require_figures("intersection", a, b);
+  const auto of_a = convex_set3(a), of_b = convex_set3(b);
+  const auto goes_on = [](const FigureView& v) { return v.kind == FigureKind::halfspace; };
+  if (of_a && of_b && !(goes_on(a) && goes_on(b))) return meet_solids(*of_a, *of_b);
+  std::vector<ExactHalfspace> all = halfspaces_of(a);
+  for (ExactHalfspace& h : halfspaces_of(b)) all.push_back(std::move(h));
+  return meet_halfspaces(all);
+}
+
+}  // namespace plumb::query

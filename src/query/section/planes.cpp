@@ -11,40 +11,29 @@
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/posed_set.hpp"
+#include "query/convex/round_parts.hpp"
 
-namespace plumb {
+namespace plumb::query {
 namespace {
 
 using Row = std::array<mpq_class, 4>;  // coefficients, and the right side
 using Equations = std::vector<Row>;
-using RationalTriple = std::array<mpq_class, 3>;
 
 void require_plane(std::string_view name, const AnyPlane3& plane) {
-  std::visit([&](const auto& s) { query::require_figure("intersection", name, s); }, plane);
+  std::visit([&](const auto& s) { require_figure("intersection", name, s); }, plane);
 }
 
-RationalTriple of(const Point3& p) { return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)}; }
-RationalTriple operator-(const RationalTriple& a, const RationalTriple& b) {
-  return {mpq_class(a[0] - b[0]), mpq_class(a[1] - b[1]), mpq_class(a[2] - b[2])};
-}
-RationalTriple cross(const RationalTriple& a, const RationalTriple& b) {
-  return {mpq_class(a[1] * b[2] - a[2] * b[1]), mpq_class(a[2] * b[0] - a[0] * b[2]),
-          mpq_class(a[0] * b[1] - a[1] * b[0])};
-}
-bool is_zero(const RationalTriple& a) { return sgn(a[0]) == 0 && sgn(a[1]) == 0 && sgn(a[2]) == 0; }
-Row through(const RationalTriple& normal, const RationalTriple& p) {
-  return {normal[0], normal[1], normal[2], mpq_class(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2])};
-}
-RationalTriple unit(std::size_t axis) {
-  RationalTriple e;
+Row through(const Exact3& normal, const Exact3& p) { return {normal[0], normal[1], normal[2], dot(normal, p)}; }
+Exact3 unit(std::size_t axis) {
+  Exact3 e;
   e[axis] = 1;
   return e;
 }
 
 /// The equations of p and all that the lines span there: one of a plane, more of less, none of all.
-Equations equations(const RationalTriple& p, std::span<const RationalTriple> lines) {
-  RationalTriple along{}, normal{};
-  for (const RationalTriple& line : lines) {
+Equations equations(const Exact3& p, std::span<const Exact3> lines) {
+  Exact3 along{}, normal{};
+  for (const Exact3& line : lines) {
     if (is_zero(along)) {
       along = line;
     } else if (is_zero(normal)) {
@@ -61,11 +50,11 @@ Equations equations(const RationalTriple& p, std::span<const RationalTriple> lin
 }
 Equations equations(const AnyPlane3& plane) {
   if (const auto* p = std::get_if<Plane3>(&plane)) {
-    return {{mpq_class(p->normal.x), mpq_class(p->normal.y), mpq_class(p->normal.z), mpq_class(p->offset)}};
+    return {{p->normal.x, p->normal.y, p->normal.z, p->offset}};
   }
   const auto& t = std::get<ThreePointPlane3>(plane);
-  const RationalTriple a = of(t.a);
-  return equations(a, std::array{of(t.b) - a, of(t.c) - a});
+  const Exact3 a = exact3(t.a);
+  return equations(a, std::array{exact3(t.b) - a, exact3(t.c) - a});
 }
 
 struct Reduced {
@@ -101,12 +90,12 @@ FlatIntersection solution(const Reduced& r) {
   FlatIntersection flat;
   if (!r.consistent) return flat;
   flat.kind = static_cast<FlatKind>(3 - static_cast<int>(r.pivots.size()));
-  RationalTriple at;
+  Exact3 at;
   for (std::size_t i = 0; i < r.pivots.size(); ++i) at[r.pivots[i]] = r.rows[i][3];
   flat.point = RationalPoint3{exact_number(at[0]), exact_number(at[1]), exact_number(at[2])};
   for (std::size_t free = 0; free < 3; ++free) {
     if (std::find(r.pivots.begin(), r.pivots.end(), free) != r.pivots.end()) continue;
-    RationalTriple d = unit(free);
+    Exact3 d = unit(free);
     for (std::size_t i = 0; i < r.pivots.size(); ++i) d[r.pivots[i]] = -r.rows[i][free];
     flat.directions.push_back({exact_number(d[0]), exact_number(d[1]), exact_number(d[2])});
   }
@@ -134,23 +123,6 @@ std::array<Point3, 3> corners(const AnyPlane3& plane) {
   return {t.a, t.b, t.c};
 }
 
-}  // namespace
-
-Vector3 approximate(const ExactVector3& a) {
-  const Point3 p = approximate(ExactPoint3(RationalPoint3{a.x, a.y, a.z}));
-  return {p.x, p.y, p.z};
-}
-
-FlatIntersection intersection(const AnyPlane3& a, const AnyPlane3& b) {
-  std::visit([](const auto& p, const auto& q) { query::require_figures("intersection", p, q); }, a, b);
-  Equations rows = equations(a);
-  for (Row& row : equations(b)) rows.push_back(std::move(row));
-  return solution(reduced(std::move(rows)));
-}
-
-namespace query {
-namespace {
-
 Equations equations_of_image(const PosedView& plane) {
   const FlatSet s = image(posed_set(plane));
   if (s.points.empty()) return {{0, 0, 0, 1}};
@@ -166,9 +138,25 @@ FlatIntersection posed_planes(const PosedView& a, const PosedView& b) {
   return solution(reduced(std::move(rows)));
 }
 
-}  // namespace query
+}  // namespace plumb::query
+
+namespace plumb {
+
+Vector3 approximate(const ExactVector3& a) {
+  const Point3 p = approximate(ExactPoint3(RationalPoint3{a.x, a.y, a.z}));
+  return {p.x, p.y, p.z};
+}
+
+FlatIntersection intersection(const AnyPlane3& a, const AnyPlane3& b) {
+  using namespace query;
+  std::visit([](const auto& p, const auto& q) { require_figures("intersection", p, q); }, a, b);
+  Equations rows = equations(a);
+  for (Row& row : equations(b)) rows.push_back(std::move(row));
+  return solution(reduced(std::move(rows)));
+}
 
 ThreePlanes intersection(const AnyPlane3& a, const AnyPlane3& b, const AnyPlane3& c) {
+  using namespace query;
   require_plane("a", a);
   require_plane("b", b);
   require_plane("c", c);

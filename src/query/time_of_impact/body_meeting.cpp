@@ -25,12 +25,22 @@ Vec3<T> velocity_of(const BodyMotion& m) {
   return vector_of<T>(c[0]) * T(m.by->x) + vector_of<T>(c[1]) * T(m.by->y) + vector_of<T>(c[2]) * T(m.by->z);
 }
 
+template <class T>
+MovingBody<T> body_of(const BodyMotion& m) {
+  MovingBody<T> body = moving_body<T>(m.shape);
+  if (m.radius > 0) {
+    body.reach = body.reach + (body.has_weight ? T(m.radius) * body.weight : T(m.radius));
+    body.swept = true;
+  }
+  return body;
+}
+
 /// Two bodies, and how the first moves, seen from the second.
 template <class T>
 struct MotionPair {
   MotionPair(const BodyMotion& of_a, const BodyMotion& of_b)
-      : a(moving_body<T>(of_a.shape)),
-        b(moving_body<T>(of_b.shape)),
+      : a(body_of<T>(of_a)),
+        b(body_of<T>(of_b)),
         velocity(bring_to_one_weight(a, b, velocity_of<T>(of_a) - velocity_of<T>(of_b))) {}
 
   template <class Judge>
@@ -93,11 +103,6 @@ bool one_is_first(const std::vector<Candidate>& found) {
   return first.certain() && first.latest() <= 1 && (found.size() == 1 || found[1].time.earliest() > first.latest());
 }
 
-/// In which features that meet at once are told.
-auto rank(const Feature& a, const Feature& b) {
-  return std::tuple(static_cast<int>(a.kind) + static_cast<int>(b.kind), a.kind, a.index, b.kind, b.index);
-}
-
 /// The first time at which two features meet, and which.
 BodyMeeting first_of(const std::vector<Candidate>& found, const MotionPair<BigDyadic>& exact) {
   BodyMeeting best;
@@ -155,13 +160,14 @@ Outlook outlook(std::string_view function, const BodyMotion& a, const BodyMotion
   const bool some_a = check_body(function, "a.shape", a.shape), some_b = check_body(function, "b.shape", b.shape);
   if (!some_a || !some_b) return {};
   const auto velocity = velocity_of<Running>(a) - velocity_of<Running>(b);
-  if (const auto [from, to] = Slabs(velocity, Running(0.0)).times(bounding_box(a.shape), bounding_box(b.shape));
+  if (const auto [from, to] =
+          Slabs(velocity, Running(a.radius) + Running(b.radius)).times(bounding_box(a.shape), bounding_box(b.shape));
       !(from <= to))
     return {};
   const MotionPair<Running> quick(a, b);
   const TimeWindow window = time_window(quick.a, quick.b, quick.velocity);
   if (window.empty()) return {};
-  if (!(window.from > 0) && at_start(a.shape, b.shape) == Relation::overlapping) return {true};
+  if (!(window.from > 0) && at_start(a, b) == Relation::overlapping) return {true};
   return {false, window.axis, candidates(quick, window)};
 }
 

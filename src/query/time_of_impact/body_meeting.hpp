@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 #include "plumb/arith/root.hpp"
 #include "plumb/figure/basic/relation.hpp"
@@ -21,10 +22,16 @@ struct BodyMotion {
   PosedView shape;
   const Vector3* by;
   const std::array<Vector3, 3>* columns = nullptr;  // of a matrix that maps `by`, where there is one
+  double radius = 0;                                // within which of the shape all is meant, under a rigid pose
 };
 
 /// How shapes lie to one another at time 0.
-using StartRelation = Relation (*)(const PosedView& a, const PosedView& b);
+using StartRelation = Relation (*)(const BodyMotion& a, const BodyMotion& b);
+
+/// Of features that meet at once those of the lowest rank are told.
+inline auto rank(const Feature& a, const Feature& b) {
+  return std::tuple(static_cast<int>(a.kind) + static_cast<int>(b.kind), a.kind, a.index, b.kind, b.index);
+}
 
 /// Of two motions, that of errors in their numbers.
 std::optional<Root> body_contact_time(std::string_view function, const BodyMotion& a, const BodyMotion& b,

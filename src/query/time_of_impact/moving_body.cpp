@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "plumb/query/body/detail/with_figure.hpp"
 #include "query/body/boundary.hpp"
@@ -16,9 +17,15 @@ template <class T>
 class Maker {
  public:
   template <Figure Shape>
-  requires has_boundary<Shape> &&(figure_dimension<Shape> == 3 && !is_one_of(figure_kind<Shape>, polygon_kinds)) void
+  requires has_boundary<Shape> &&(figure_dimension<Shape> == 3 && (figure_kind<Shape> == FigureKind::polygon ||
+                                                                   !is_one_of(figure_kind<Shape>, polygon_kinds))) void
   operator()(const Shape& s) {
     tell_boundary<T>(s, *this);
+    if constexpr (figure_kind<Shape> == FigureKind::polygon) {  // a convex one
+      std::vector<std::uint32_t> all(made.vertices.size());
+      std::iota(all.begin(), all.end(), 0u);
+      face(all, 0);
+    }
     if constexpr (figure_kind<Shape> == FigureKind::ball) made.vertex_features = {{FeatureKind::face, 0}};
     if constexpr (requires { s.radius; }) {
       made.reach = T(s.radius);

@@ -4,14 +4,14 @@
 // may be across the other figure, where no vertex is and no two edges meet: relate tells that, and then which it is.
 #include "query/time_of_impact/polygon_contact.hpp"
 
-#include <tuple>
-
 #include "arith/exact_number.hpp"
 #include "figure/basic/finite_parts.hpp"
+#include "figure/basic/plane_of_points.hpp"
 #include "plumb/query/body/detail/with_figure.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/query/overlap/posed.hpp"
 #include "query/body/chain_edges.hpp"
+#include "query/body/figure_input.hpp"
 #include "query/convex/chains.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/overlap/polygon_relation.hpp"
@@ -52,54 +52,86 @@ bool is_inside_at(const Root& t, const SpannedChains& chains, const Exact3& norm
   return odd;
 }
 
-/// Lower ones are told.
-auto rank(const FirstMeeting& m) {
-  return std::tuple(static_cast<int>(m.of_a.kind) + static_cast<int>(m.of_b.kind), m.of_a.kind, m.of_a.index,
-                    m.of_b.kind, m.of_b.index);
-}
+/// Edges and bodies that overlap meet by their features as well: the polygon does not overlap them.
+Relation never_inside(const BodyMotion&, const BodyMotion&) { return Relation::touching; }
 
-/// The earliest; of equally early ones that of the lowest features.
+/// Of a body and a polygon, the earliest; of equally early ones that of the lowest features, of the polygon first where
+/// that was given first.
 class EarliestMeeting {
  public:
+  explicit EarliestMeeting(bool turned) : turned_(turned) {}
+
   void see(FirstMeeting m) {
     if (best_) {
       const auto order = m.time <=> best_->time;
-      if (order > 0 || (order == 0 && !(rank(m) < rank(*best_)))) return;
+      if (order > 0 || (order == 0 && !is_lower(m, *best_))) return;
     }
     best_ = std::move(m);
   }
+  void see_edge(std::string_view function, const BodyMotion& body, const BodyMotion& edge, const ChainEdge& of) {
+    auto m =
+        turned_ ? first_meeting(function, edge, body, never_inside) : first_meeting(function, body, edge, never_inside);
+    if (!m) return;
+    if (turned_) std::swap(m->of_a, m->of_b);
+    m->of_b = of.feature(m->of_b);
+    see(std::move(*m));
+  }
   [[nodiscard]] bool is_at_start() const { return best_ && best_->time == Rational(0); }
-  [[nodiscard]] std::optional<FirstMeeting> best() && { return std::move(best_); }
+  /// With the features in the order of the figures.
+  [[nodiscard]] std::optional<FirstMeeting> best() && {
+    if (best_ && turned_) std::swap(best_->of_a, best_->of_b);
+    return std::move(best_);
+  }
 
  private:
+  [[nodiscard]] bool is_lower(const FirstMeeting& m, const FirstMeeting& n) const {
+    return turned_ ? rank(m.of_b, m.of_a) < rank(n.of_b, n.of_a) : rank(m.of_a, m.of_b) < rank(n.of_a, n.of_b);
+  }
+
+  bool turned_;
   std::optional<FirstMeeting> best_;
 };
 
 /// A polygon under its pose, which moves.
 struct MovingPolygon {
-  MovingPolygon(std::string_view function, const PosedMotion& m) : pose(m.figure.pose), by(m.by) {
-    static_cast<void>(exact_chains(function, m.figure.figure));  // throws where it is not planar
-    chains = chains_of(m.figure.figure);
-    with_figure(m.figure.figure, [this]<class Shape>(const Shape& s) {
+  MovingPolygon(std::string_view function, const PosedMotion& m)
+      : pose(m.figure.pose), by(m.by), figure_(m.figure.figure) {
+    with_figure(figure_, [this]<class Shape>(const Shape& s) {
       if constexpr (is_one_of(figure_kind<Shape>, polygon_kinds)) edges = chain_edges(s);
     });
+    plane_ = plane_of_points(edges.size(), [this](std::size_t i) -> const Point3& { return edges[i].shape.a; });
+    require_planar(function, spoken(figure_), plane_);
     add_hull();
-    if (pose.stands()) return;
-    const ExactMap map = exact_map(pose);
-    for (Exact3& v : chains.vertices) v = image(map, v);
-    chains.span = spanning(chains.vertices);
   }
   [[nodiscard]] PosedMotion motion_of(const ChainEdge& e) const { return {{view_of(e.shape), pose}, by}; }
-  [[nodiscard]] bool has_inside() const { return chains.span.size() == 3; }
+  [[nodiscard]] bool has_inside() const { return pose.stands() ? plane_.dimension == 2 : chains().span.size() == 3; }
+  /// In rationals, made when it is asked.
+  [[nodiscard]] const SpannedChains& chains() const {
+    if (!chains_) {
+      chains_ = chains_of(figure_);
+      if (!pose.stands()) {
+        const ExactMap map = exact_map(pose);
+        for (Exact3& v : chains_->vertices) v = image(map, v);
+        chains_->span = spanning(chains_->vertices);
+      }
+    }
+    return *chains_;
+  }
   /// Of its plane, where it has one.
   [[nodiscard]] Exact3 normal() const {
-    const Exact3& from = chains.vertices[chains.span[0]];
-    return cross(chains.vertices[chains.span[1]] - from, chains.vertices[chains.span[2]] - from);
+    const auto& [vertices, next, span] = chains();
+    return cross(vertices[span[1]] - vertices[span[0]], vertices[span[2]] - vertices[span[0]]);
+  }
+  /// Is the ball about the body's vertex on both sides of the plane from the start?  It meets edges first then.
+  [[nodiscard]] bool is_surely_across(const MovingBody<Running>& body, std::size_t vertex) const {
+    if (hull.faces.empty() || hull.has_weight || body.has_weight) return false;
+    const auto& [corners, normal, offset, feature] = hull.faces[0];
+    const Running height = dot(normal, body.vertices[vertex]) - offset;
+    return (height * height - body.reach * body.reach * dot(normal, normal)).upper() < 0;
   }
 
   AnyPoseView pose;
-  const Vector3* by;
-  SpannedChains chains;
+  Vector3 by;
   std::vector<ChainEdge> edges;
   MovingBody<Running> hull;  // what has no holes and is convex, by its vertices and one normal
 
@@ -111,12 +143,16 @@ struct MovingPolygon {
       hull.vertices.push_back(of_edge.vertices[0]);
       hull.weight = of_edge.weight, hull.has_weight = of_edge.has_weight;
     }
-    if (chains.span.size() < 3) return;
+    if (plane_.dimension < 2) return;
     const auto& v = hull.vertices;
-    const Vec3<Running>& from = v[chains.span[0]];
-    const Vec3<Running> normal = cross(v[chains.span[1]] - from, v[chains.span[2]] - from);
+    const Vec3<Running>& from = v[plane_.span[0]];
+    const Vec3<Running> normal = cross(v[plane_.span[1]] - from, v[plane_.span[2]] - from);
     hull.faces.push_back({{}, normal, dot(normal, from), {FeatureKind::face, 0}});
   }
+
+  FigureView figure_;
+  PlaneOfPoints plane_;
+  mutable std::optional<SpannedChains> chains_;
 };
 
 Exact3 exactly(const Vector3& v) { return {v.x, v.y, v.z}; }
@@ -133,7 +169,7 @@ Exact3 exact_vertex(const MovingBody<BigDyadic>& body, std::size_t i) {
 /// Where the ball about a vertex first touches the plane, if that is inside.
 void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& feature, const mpq_class& reach,
               const Exact3& by, const MovingPolygon& polygon) {
-  const SpannedChains& chains = polygon.chains;
+  const SpannedChains& chains = polygon.chains();
   const Exact3 &from = chains.vertices[chains.span[0]], normal = polygon.normal();
   const mpq_class square = dot(normal, normal), height = dot(normal, center - from), rise = dot(normal, by);
   const mpq_class rest = height * height - reach * reach * square;
@@ -157,13 +193,10 @@ void see_face(EarliestMeeting& earliest, const Exact3& center, const Feature& fe
   if (!times.empty()) look(times.front());
 }
 
-/// Edges and bodies that overlap meet by their features as well: the polygon does not overlap them.
-Relation never_inside(const PosedView&, const PosedView&) { return Relation::touching; }
-
 /// While what is around the polygon may meet the body.
 TimeWindow window_of(MovingBody<Running> body, const Vector3& by, const MovingPolygon& polygon) {
   MovingBody<Running> hull = polygon.hull;
-  const Vec3<Running> velocity = vector_of<Running>(by) - vector_of<Running>(*polygon.by);
+  const Vec3<Running> velocity = vector_of<Running>(by) - vector_of<Running>(polygon.by);
   const Vec3<Running> seen = bring_to_one_weight(body, hull, velocity);
   return time_window(body, hull, seen);
 }
@@ -197,18 +230,19 @@ Relation start_relation(std::string_view function, const PosedView& a, const Pos
 /// Of a polygon that does not overlap the body at the start.
 void see_body(EarliestMeeting& earliest, std::string_view function, const PosedMotion& body,
               const MovingPolygon& polygon) {
-  if (window_of(moving_body<Running>(body.figure), *body.by, polygon).empty()) return;
+  const auto near = moving_body<Running>(body.figure);
+  if (window_of(near, body.by, polygon).empty()) return;
   for (const ChainEdge& e : polygon.edges) {
     const PosedMotion edge = polygon.motion_of(e);
-    auto m = first_meeting(function, {body.figure, body.by}, {edge.figure, edge.by}, never_inside);
-    if (m) earliest.see({std::move(m->time), m->of_a, e.feature(m->of_b)});
+    earliest.see_edge(function, {body.figure, &body.by}, {edge.figure, &edge.by}, e);
   }
-  if (polygon.has_inside()) {
-    const auto exact = moving_body<BigDyadic>(body.figure);
-    const Exact3 by = exactly(*body.by) - exactly(*polygon.by);
-    for (std::size_t i = 0; i < exact.vertices.size(); ++i)
-      see_face(earliest, exact_vertex(exact, i), exact.vertex_features[i], over_weight(exact.reach, exact), by,
-               polygon);
+  if (!polygon.has_inside()) return;
+  std::optional<MovingBody<BigDyadic>> exact;
+  for (std::size_t i = 0; i < near.vertices.size(); ++i) {
+    if (polygon.is_surely_across(near, i)) continue;
+    if (!exact) exact = moving_body<BigDyadic>(body.figure);
+    see_face(earliest, exact_vertex(*exact, i), near.vertex_features[i], over_weight(exact->reach, *exact),
+             exactly(body.by) - exactly(polygon.by), polygon);
   }
 }
 
@@ -240,7 +274,7 @@ void see_pierced(EarliestMeeting& earliest, std::string_view function, const Pos
   for (const auto& face : body.faces) {
     const Exact3 normal = exactly(face.normal);
     for (const ChainEdge& e : polygon.edges) {
-      const auto at = crossing(e, polygon.chains, normal, over_weight(face.offset, body));
+      const auto at = crossing(e, polygon.chains(), normal, over_weight(face.offset, body));
       if (at && face_holds(body, face, *at)) earliest.see({Root(0), face.feature, e.whole});
     }
   }
@@ -255,24 +289,24 @@ template <class See>
 void see_pierced(const MovingPolygon& edges, const MovingPolygon& inside, See see) {
   if (!inside.has_inside()) return;
   const Exact3 normal = inside.normal();
-  const mpq_class offset = dot(normal, inside.chains.vertices[0]);
+  const mpq_class offset = dot(normal, inside.chains().vertices[0]);
   for (const ChainEdge& e : edges.edges) {
-    const auto at = crossing(e, edges.chains, normal, offset);
-    if (at && holds_inside(inside.chains, *at)) see(e);
+    const auto at = crossing(e, edges.chains(), normal, offset);
+    if (at && holds_inside(inside.chains(), *at)) see(e);
   }
 }
 
 /// Two in motion, the second a polygon.
 class PolygonPair {
  public:
-  PolygonPair(std::string_view function, const PosedMotion& a, const PosedMotion& b)
-      : function_(function), a_(a), second_(function, b) {
+  PolygonPair(std::string_view function, const PosedMotion& a, const PosedMotion& b, bool turned)
+      : function_(function), a_(a), second_(function, b), turned_(turned) {
     if (is_polygon(a.figure.figure)) {
       first_.emplace(function, a);
     } else if (!check_body(function, "the body", a.figure)) {
       return;
     }
-    const TimeWindow window = window_of(first_ ? first_->hull : moving_body<Running>(a.figure), *a.by, second_);
+    const TimeWindow window = window_of(first_ ? first_->hull : moving_body<Running>(a.figure), a.by, second_);
     may_meet_ = !window.empty();
     if (may_meet_ && !(window.from > 0)) start_ = start_relation(function, a.figure, b.figure);
   }
@@ -301,21 +335,21 @@ class PolygonPair {
  private:
   /// By vertices, edges, and vertices in a face.
   [[nodiscard]] EarliestMeeting by_features() const {
-    EarliestMeeting earliest;
+    EarliestMeeting earliest(turned_);
     if (!may_meet_) return earliest;
     if (!first_) {
       see_body(earliest, function_, a_, second_);
       return earliest;
     }
     for (const ChainEdge& e : first_->edges) {
-      EarliestMeeting of_edge;
+      EarliestMeeting of_edge(false);
       see_body(of_edge, function_, first_->motion_of(e), second_);
       if (auto m = std::move(of_edge).best()) earliest.see({std::move(m->time), e.feature(m->of_a), m->of_b});
     }
     for (const ChainEdge& e : second_.edges) {
-      EarliestMeeting of_edge;
+      EarliestMeeting of_edge(true);
       see_body(of_edge, function_, second_.motion_of(e), *first_);
-      if (auto m = std::move(of_edge).best()) earliest.see({std::move(m->time), m->of_b, e.feature(m->of_a)});
+      if (auto m = std::move(of_edge).best()) earliest.see({std::move(m->time), m->of_a, e.feature(m->of_b)});
     }
     return earliest;
   }
@@ -324,30 +358,27 @@ class PolygonPair {
   const PosedMotion& a_;
   MovingPolygon second_;
   std::optional<MovingPolygon> first_;  // of two polygons
+  bool turned_;                         // the polygon was given first
   bool may_meet_ = false;
   Relation start_ = Relation::disjoint;
 };
 
-/// Calls f with the pair, or with that of the figures the other way round.
+/// Calls f with the pair, the polygon second.
 template <class F>
 auto with_pair(std::string_view function, const PosedMotion& a, const PosedMotion& b, F f) {
-  require_finite_parts(function, {"a.by", "b.by"}, *a.by, *b.by);
+  require_finite_parts(function, {"a.by", "b.by"}, a.by, b.by);
   const bool turned = !is_polygon(b.figure.figure);
-  return f(turned ? PolygonPair(function, b, a) : PolygonPair(function, a, b), turned);
+  return f(turned ? PolygonPair(function, b, a, true) : PolygonPair(function, a, b, false));
 }
 
 }  // namespace
 
 std::optional<Root> polygon_meeting_time(std::string_view function, const PosedMotion& a, const PosedMotion& b) {
-  return with_pair(function, a, b, [](const PolygonPair& pair, bool) { return pair.time(); });
+  return with_pair(function, a, b, [](const PolygonPair& pair) { return pair.time(); });
 }
 
 std::optional<FirstMeeting> polygon_meeting(std::string_view function, const PosedMotion& a, const PosedMotion& b) {
-  return with_pair(function, a, b, [](const PolygonPair& pair, bool turned) {
-    auto m = pair.first();
-    if (m && turned) std::swap(m->of_a, m->of_b);
-    return m;
-  });
+  return with_pair(function, a, b, [](const PolygonPair& pair) { return pair.first(); });
 }
 
 }  // namespace plumb::query

@@ -1,9 +1,8 @@
 // Time of impact: when do a polygon in space, convex or not, and a body or another polygon first meet that move along
 // lines?
 //
-// Laws: those of query/time_of_impact/posed.hpp.  Of what meets at once features of the body count before those of the
-// polygon.  What relate does not find disjoint at the start meets at time 0, by features of the boundary where two meet
-// there, else by an edge of the polygon that goes through a face, or by a vertex of it inside.
+// Laws: those of query/time_of_impact/posed.hpp.  What relate does not find disjoint at the start meets at time 0, by
+// features of the boundary where two meet there, else by an edge of the polygon that goes through a face, or by a vertex of it inside.
 // Source: RTCD 5.5.6.
 // Cost: that of a segment and the body for each edge; rationals for the inside.
 #pragma once

@@ -10,7 +10,9 @@ constexpr Vector3 stands_still{0, 0, 0};
 
 PosedTriangle3 triangle_of(const PosedView& v) { return {*static_cast<const Triangle3*>(v.figure.shape), v.pose}; }
 
-Relation posed_at_start(const PosedView& a, const PosedView& b) { return relate(triangle_of(a), triangle_of(b)); }
+Relation posed_at_start(const BodyMotion& a, const BodyMotion& b) {
+  return relate(triangle_of(a.shape), triangle_of(b.shape));
+}
 
 }  // namespace
 

@@ -16,8 +16,8 @@ Relation relation_of(const A& a, const B& b) {
 Relation relation_of(const Point3& p, const Point3& q) { return p == q ? Relation::overlapping : Relation::disjoint; }
 
 template <class A, class B>
-Relation start_relation(const PosedView& a, const PosedView& b) {
-  return relation_of(*static_cast<const A*>(a.figure.shape), *static_cast<const B*>(b.figure.shape));
+Relation start_relation(const BodyMotion& a, const BodyMotion& b) {
+  return relation_of(*static_cast<const A*>(a.shape.figure.shape), *static_cast<const B*>(b.shape.figure.shape));
 }
 
 template <ContactWanted asked, class A, class B>

@@ -1,40 +1,15 @@
 #include "plumb/query/body/contact_pairs.hpp"
-#include "plumb/query/time_of_impact/flat_contact.hpp"
 #include "plumb/query/time_of_impact/posed.hpp"
-#include "plumb/query/time_of_impact/translating_contact.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/variant/asked.hpp"
 
 namespace plumb::query {
 namespace {
 
-/// As the questions of posed figures take it, which have `in_plane` for what moves in the plane.
-PosedMotion posed_motion_of(const AnyMotion& m, const Vector2& in_plane) {
-  if (m.figure.figure.dimension == 2) return {m.figure, nullptr, &in_plane};
-  return {m.figure, &m.by};
-}
-
-/// By the types where first_contact has a method for them, else as any two figures under poses.
-template <class Answer, class ByTypes, class AsPosed>
-Answer asked_of_motion(std::string_view question, const AnyMotion& a, const AnyMotion& b, const ByTypes& by_types,
-                       const AsPosed& as_posed) {
-  const FigureView &of_a = a.figure.figure, &of_b = b.figure.figure;
-  require_answer(translating_pairs, question, of_a, of_b);
-  const Vector2 in_plane_a{a.by.x, a.by.y}, in_plane_b{b.by.x, b.by.y};
-  if (of_a.dimension == 2 && !(a.by.z == 0 && b.by.z == 0)) {
-    throw Unsupported(std::string(question) + ": a figure of the plane moves out of it; give a motion whose z is zero");
-  }
-  const auto posed = [&] { return as_posed(posed_motion_of(a, in_plane_a), posed_motion_of(b, in_plane_b)); };
-  if (is_posed_view(a.figure) || is_posed_view(b.figure)) return posed();
-  return asked_by_types<Answer>(question, of_a, of_b, [&]<class A, class B>(const A& x, const B& y) -> Answer {
-    if constexpr (MovingPair<A, B>) {
-      return by_types(Translating<A>{x, a.by}, Translating<B>{y, b.by});
-    } else if constexpr (MovesInPlane<A> && MovesInPlane<B>) {
-      return by_types(Translating<A>{x, in_plane_a}, Translating<B>{y, in_plane_b});
-    } else {
-      return posed();
-    }
-  });
+void require_motion(std::string_view question, const PosedMotion& a, const PosedMotion& b) {
+  require_answer(translating_pairs, question, a.figure.figure, b.figure.figure);
+  if (a.figure.figure.dimension == 3 || (a.by.z == 0 && b.by.z == 0)) return;
+  throw Unsupported(std::string(question) + ": a figure of the plane moves out of it; give a motion whose z is zero");
 }
 
 bool is_posed_motion(const CornersInMotion& m) { return is_posed_view(m.from) || is_posed_view(m.to); }
@@ -84,18 +59,17 @@ std::optional<Root> any_corner_contact_time(const CornersInMotion& a, const Corn
       } { return first_contact_time(x, y, o); },
       corner_contact_time);
 }
-std::optional<Contact> any_first_contact(const AnyMotion& a, const AnyMotion& b) {
-  return asked_of_motion<std::optional<Contact>>(
-      "first_contact", a, b, [](const auto& x, const auto& y) { return first_contact(x, y); }, posed_contact);
+std::optional<Contact> any_first_contact(const PosedMotion& a, const PosedMotion& b) {
+  require_motion("first_contact", a, b);
+  return posed_contact(a, b);
 }
-std::optional<Root> any_first_contact_time(const AnyMotion& a, const AnyMotion& b) {
-  return asked_of_motion<std::optional<Root>>(
-      "first_contact_time", a, b, [](const auto& x, const auto& y) { return first_contact_time(x, y); },
-      posed_contact_time);
+std::optional<Root> any_first_contact_time(const PosedMotion& a, const PosedMotion& b) {
+  require_motion("first_contact_time", a, b);
+  return posed_contact_time(a, b);
 }
-bool any_meet(const AnyMotion& a, const AnyMotion& b) {
-  return asked_of_motion<bool>(
-      "intersects", a, b, [](const auto& x, const auto& y) { return intersects(x, y); }, posed_bodies_meet);
+bool any_meet(const PosedMotion& a, const PosedMotion& b) {
+  require_motion("intersects", a, b);
+  return posed_bodies_meet(a, b);
 }
 
 }  // namespace plumb::query

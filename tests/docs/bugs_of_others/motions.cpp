@@ -4,7 +4,6 @@
 #include <array>
 
 #include "docs/bugs_of_others/case.hpp"
-#include "plumb/query/time_of_impact/flat_contact.hpp"
 #include "plumb/query/time_of_impact/posed.hpp"
 #include "plumb/query/time_of_impact/translating_contact.hpp"
 

@@ -15,7 +15,7 @@
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
 #include "query/penetration/told_checks.hpp"
-#include "query/section/exact_section.hpp"
+#include "query/section/meet_halfspaces.hpp"
 #include "query/separation/convex_body.hpp"
 
 namespace plumb {
@@ -63,8 +63,11 @@ std::vector<Exact3> seen_along(const Exact3& n, std::vector<Exact3> points) {
 /// Without a margin that cuts anything off.
 void expect_common_part(const ExactContact& c, const Exact3& n, const std::array<std::vector<Exact3>, 2>& faces,
                         const std::string& about) {
-  const Intersection3 wanted =
-      query::common_part3(FlatSet{seen_along(n, faces[0]), {}, {}}, FlatSet{seen_along(n, faces[1]), {}, {}});
+  std::vector<query::ExactHalfspace> sides;
+  for (const std::vector<Exact3>& face : faces) {
+    for (query::ExactHalfspace& h : halfspaces_of(FlatSet{seen_along(n, face), {}, {}})) sides.push_back(std::move(h));
+  }
+  const SolidIntersection3 wanted = query::meeting::meet_halfspaces(sides);
   std::vector<Exact3> told, corners;
   for (const ExactContactCorner& k : c.corners) told.push_back(seen_along(n, {exact(k.on_a)})[0]);
   for (const ExactPoint3& p : wanted.vertices) corners.push_back(exact(rational_point(p)));

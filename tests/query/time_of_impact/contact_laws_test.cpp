@@ -10,7 +10,6 @@
 
 #include "plumb/query/body/contact_pairs.hpp"
 #include "plumb/query/overlap/posed.hpp"
-#include "plumb/query/time_of_impact/flat_contact.hpp"
 #include "plumb/query/time_of_impact/posed.hpp"
 #include "query/body/boundary.hpp"
 #include "query/body/pair_laws.hpp"
@@ -99,11 +98,10 @@ struct Motion {
     };
     if (a.row().dimension == 2) {
       const Pose2 pose{{{{0, 2}, {-2, 0}}}, {3, 0}};
-      const Vector2 u{p.x, p.y}, v{q.x, q.y};
-      return tell({{a.view(), &pose}, nullptr, &u}, {{b.view(), &pose}, nullptr, &v});
+      return tell({{a.view(), &pose}, p}, {{b.view(), &pose}, q});
     }
     const Pose pose{{{{0, 2, 0}, {-2, 0, 0}, {0, 0, 2}}}, {3, 0, -1}};
-    return tell({{a.view(), &pose}, &p}, {{b.view(), &pose}, &q});
+    return tell({{a.view(), &pose}, p}, {{b.view(), &pose}, q});
   }
 };
 

@@ -1,7 +1,5 @@
 // Figures of the plane in straight motion: against times at which a corner comes to an edge, in rationals, and round
 // ones by their distances just before and at the time.
-#include "plumb/query/time_of_impact/flat_contact.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "figure/containment/exact_locations.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/time_of_impact/posed.hpp"
 
 namespace plumb {
 namespace {
@@ -351,7 +350,7 @@ TEST(FlatContact, BadInputIsNamed) {
   EXPECT_EQ(text_of<InvalidShape>([] {
               (void)first_contact(Translating<Circle2>{{{0, 0}, -1}, {1, 0}}, Point2{0, 0});
             }),
-            "first_contact: a.shape.radius is negative; give zero or more");
+            "first_contact: circle.radius is negative; give zero or more");
   EXPECT_THROW((void)intersects(Translating<Polygon2>{{{{0, 0}, {1, 0}}}, {1, 0}}, Point2{0, 0}), InvalidShape);
   EXPECT_EQ(text_of<NonFinite>([] {
               (void)first_contact(Translating<Polygon2>{{{{0, 0}, {1, 0}, {0, 1}}}, {NAN, 0}}, Point2{0, 0});

@@ -45,7 +45,7 @@ struct AnyMover {
     return m;
   }
   [[nodiscard]] PosedMotion motion(const Pose* pose = nullptr) const {
-    return {{std::visit([](const auto& s) { return query::view_of(s); }, shape), pose}, &by};
+    return {{std::visit([](const auto& s) { return query::view_of(s); }, shape), pose}, by};
   }
   [[nodiscard]] oracle::Mover mover() const {
     return {std::visit([](const auto& s) { return oracle::body(s); }, shape), oracle::vector(by)};
@@ -69,8 +69,8 @@ void expect_laws(const std::string& about, const PosedMotion& a, const PosedMoti
                  const std::optional<Contact>& contact) {
   const Relation start = query::relate_posed("test", a.figure, b.figure);
   EXPECT_EQ(start == Relation::overlapping, contact && is_inside(*contact)) << about;
-  const Vector3 also = draw.motion(), by_a = turned(sum(*a.by, also)), by_b = turned(sum(*b.by, also));
-  const PosedMotion c{{a.figure.figure, &quarter}, &by_a}, d{{b.figure.figure, &quarter}, &by_b};
+  const Vector3 also = draw.motion(), by_a = turned(sum(a.by, also)), by_b = turned(sum(b.by, also));
+  const PosedMotion c{{a.figure.figure, &quarter}, by_a}, d{{b.figure.figure, &quarter}, by_b};
   EXPECT_EQ(posed_contact(c, d), contact) << about;
 }
 
@@ -149,8 +149,8 @@ struct MovingPolygon {
     for (const Point2& p : cut.hole) polygon.holes[0].vertices.push_back(place(p));
     for (const auto& [a, b, c] : cut.triangles) triangles.push_back({place(a), place(b), place(c)});
   }
-  [[nodiscard]] PosedMotion motion() const { return {{query::view_of(polygon)}, &by}; }
-  [[nodiscard]] PosedMotion motion(const Triangle3& part) const { return {{query::view_of(part)}, &by}; }
+  [[nodiscard]] PosedMotion motion() const { return {{query::view_of(polygon)}, by}; }
+  [[nodiscard]] PosedMotion motion(const Triangle3& part) const { return {{query::view_of(part)}, by}; }
 
   /// The features, a face as the triangles.
   [[nodiscard]] std::vector<std::pair<Feature, oracle::Body>> features() const {

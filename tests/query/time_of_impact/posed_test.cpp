@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "plumb/query/time_of_impact/flat_contact.hpp"
 #include "query/body/pair_laws.hpp"
 #include "query/body/posed_cases.hpp"
 
@@ -78,14 +77,6 @@ TEST(PosedMotion, AllPairs) {
                      3101);
 }
 
-/// Of a polygon's features that meet at once, query/time_of_impact/posed.hpp may name others.
-template <class A, class B>
-bool same_in_plane(const std::optional<Contact>& a, const std::optional<Contact>& b) {
-  constexpr bool some_polygon = figure_kind<A> == FigureKind::polygon || figure_kind<B> == FigureKind::holed_polygon;
-  if constexpr (some_polygon) return a.has_value() == b.has_value() && (!a || a->time == b->time);
-  return same(a, b);
-}
-
 /// Figures of the plane: their times are those of before under poses that stay, and alike under a common one.
 template <class A, class B>
 void expect_flat_motions(MotionSeen& seen, std::uint64_t start) {
@@ -98,14 +89,13 @@ void expect_flat_motions(MotionSeen& seen, std::uint64_t start) {
     const auto plain = first_contact(Translating<A>{a, by}, b);
     ++seen.cases, seen.meet += plain.has_value();
     const Translating<Posed<A, Pose2>> moving{{a, stays}, by};
-    EXPECT_TRUE((same_in_plane<A, B>(first_contact(moving, b), plain))) << pair_name<A, B>() << m.about(a, b);
+    EXPECT_TRUE(same(first_contact(moving, b), plain)) << pair_name<A, B>() << m.about(a, b);
     EXPECT_EQ(intersects(moving, Posed{b, stays}), plain.has_value()) << pair_name<A, B>() << m.about(a, b);
     const Vector2 way{6 * by.x - 8 * by.y, 8 * by.x + 6 * by.y};
     if (std::fabs(by.x) > 1e6 || std::fabs(by.y) > 1e6 || by.x != std::rint(by.x) || by.y != std::rint(by.y)) return;
     ++seen.mapped;
     const Translating<Posed<A, Pose2>> both{{a, turned}, way};
-    EXPECT_TRUE((same_in_plane<A, B>(first_contact(both, Posed{b, turned}), plain)))
-        << pair_name<A, B>() << m.about(a, b);
+    EXPECT_TRUE(same(first_contact(both, Posed{b, turned}), plain)) << pair_name<A, B>() << m.about(a, b);
   });
 }
 template <class A, class... Bs>

@@ -43,7 +43,7 @@ struct Way {
   Vector2 flat_before, flat_after;
 };
 query::PosedMotion in_motion(const PosedView& v, const Vector3& by, const Vector2& flat) {
-  return v.figure.dimension == 3 ? query::PosedMotion{v, &by} : query::PosedMotion{v, nullptr, &flat};
+  return {v, v.figure.dimension == 3 ? by : Vector3{flat.x, flat.y, 0}};
 }
 std::optional<Way> way_under(const RigidCase& by, Material& m) {
   const auto* space = std::get_if<RigidPose>(&by.space);

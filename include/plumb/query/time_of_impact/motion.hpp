@@ -7,10 +7,12 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 
 #include "plumb/arith/point.hpp"
 #include "plumb/arith/pose.hpp"
 #include "plumb/arith/rigid_pose.hpp"
+#include "plumb/arith/root.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
 
 namespace plumb {
@@ -75,5 +77,44 @@ struct Contact {
 
 /// The same answer with the figures named the other way round.
 constexpr Contact swapped(const Contact& c) { return {c.time, c.feature_b, c.feature_a}; }
+
+namespace query {
+
+template <class S>
+inline constexpr bool is_translating = false;
+template <class S>
+inline constexpr bool is_translating<Translating<S>> = true;
+/// Two figures that first_contact takes in motion, given without their motions.
+template <class A, class B>
+concept MeetInMotion =
+    !is_translating<A> && !is_translating<B> && requires(const Translating<A>& a, const Translating<B>& b) {
+  first_contact(a, b);
+};
+
+}  // namespace query
+
+/// One of two figures in motion stands still, and is given as it is.
+template <class A, class B>
+requires query::MeetInMotion<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const B& b) {
+  return first_contact(a, Translating<B>{b, {}});
+}
+template <class A, class B>
+requires query::MeetInMotion<A, B> std::optional<Contact> first_contact(const A& a, const Translating<B>& b) {
+  return first_contact(Translating<A>{a, {}}, b);
+}
+template <class A, class B>
+requires query::MeetInMotion<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const B& b) {
+  return first_contact_time(a, Translating<B>{b, {}});
+}
+template <class A, class B>
+requires query::MeetInMotion<A, B> std::optional<Root> first_contact_time(const A& a, const Translating<B>& b) {
+  return first_contact_time(Translating<A>{a, {}}, b);
+}
+template <class A, class B>
+requires query::MeetInMotion<A, B>
+bool intersects(const Translating<A>& a, const B& b) { return intersects(a, Translating<B>{b, {}}); }
+template <class A, class B>
+requires query::MeetInMotion<A, B>
+bool intersects(const A& a, const Translating<B>& b) { return intersects(Translating<A>{a, {}}, b); }
 
 }  // namespace plumb

@@ -36,14 +36,6 @@ requires query::MovesRestated<A, B> std::optional<Contact> first_contact(const T
   return query::restated_motion("first_contact", a, b,
                                 [](const auto& p, const auto& q) { return first_contact(p, q); });
 }
-template <class A, class B>
-requires query::MovesRestated<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const B& b) {
-  return first_contact(a, Translating<B>{b, {0, 0, 0}});
-}
-template <class A, class B>
-requires query::MovesRestated<A, B> std::optional<Contact> first_contact(const A& a, const Translating<B>& b) {
-  return first_contact(Translating<A>{a, {0, 0, 0}}, b);
-}
 
 template <class A, class B>
 requires query::MovesRestated<A, B> std::optional<Root> first_contact_time(const Translating<A>& a,
@@ -51,25 +43,11 @@ requires query::MovesRestated<A, B> std::optional<Root> first_contact_time(const
   return query::restated_motion("first_contact_time", a, b,
                                 [](const auto& p, const auto& q) { return first_contact_time(p, q); });
 }
-template <class A, class B>
-requires query::MovesRestated<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const B& b) {
-  return first_contact_time(a, Translating<B>{b, {0, 0, 0}});
-}
-template <class A, class B>
-requires query::MovesRestated<A, B> std::optional<Root> first_contact_time(const A& a, const Translating<B>& b) {
-  return first_contact_time(Translating<A>{a, {0, 0, 0}}, b);
-}
 
 template <class A, class B>
 requires query::MovesRestated<A, B>
 bool intersects(const Translating<A>& a, const Translating<B>& b) {
   return query::restated_motion("intersects", a, b, [](const auto& p, const auto& q) { return intersects(p, q); });
 }
-template <class A, class B>
-requires query::MovesRestated<A, B>
-bool intersects(const Translating<A>& a, const B& b) { return intersects(a, Translating<B>{b, {0, 0, 0}}); }
-template <class A, class B>
-requires query::MovesRestated<A, B>
-bool intersects(const A& a, const Translating<B>& b) { return intersects(Translating<A>{a, {0, 0, 0}}, b); }
 
 }  // namespace plumb

@@ -52,28 +52,4 @@ template <class A, class B>
 requires MovingPair<A, B>
 bool intersects(const Translating<A>& a, const Translating<B>& b);
 
-/// One of them stands still.
-template <class A, class B>
-requires MovingPair<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const B& b) {
-  return first_contact(a, Translating<B>{b, {0, 0, 0}});
-}
-template <class A, class B>
-requires MovingPair<A, B> std::optional<Contact> first_contact(const A& a, const Translating<B>& b) {
-  return first_contact(Translating<A>{a, {0, 0, 0}}, b);
-}
-template <class A, class B>
-requires MovingPair<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const B& b) {
-  return first_contact_time(a, Translating<B>{b, {0, 0, 0}});
-}
-template <class A, class B>
-requires MovingPair<A, B> std::optional<Root> first_contact_time(const A& a, const Translating<B>& b) {
-  return first_contact_time(Translating<A>{a, {0, 0, 0}}, b);
-}
-template <class A, class B>
-requires MovingPair<A, B>
-bool intersects(const Translating<A>& a, const B& b) { return intersects(a, Translating<B>{b, {0, 0, 0}}); }
-template <class A, class B>
-requires MovingPair<A, B>
-bool intersects(const A& a, const Translating<B>& b) { return intersects(Translating<A>{a, {0, 0, 0}}, b); }
-
 }  // namespace plumb

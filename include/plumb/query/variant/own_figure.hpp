@@ -9,7 +9,8 @@
 // are exact, then rounded once, as those of the kinds are.  It may stand under a pose, as they do.  (2) Where hull and
 // radius are a figure of a kind (no radius: a point, a segment, a convex polygon or polyhedron; of one or two places a
 // ball or a capsule) all is that figure's.  (3) Else relate, intersects and distances are told by the distance of the
-// hulls; closest_points of convex bodies, by GJK; contains of what is convex; first_hit, first_contact and intersection
+// hulls; closest_points of convex bodies, by GJK; contains of what is convex; first_contact, whose
+// features are those of the hull, takes what first_contact takes but polygons; first_hit and intersection
 // throw Unsupported, a pose that is a matrix UnevenPose.
 // NaN and infinity throw NonFinite, a negative radius and no place InvalidShape, by name.
 // Source: RTCD 4.5, 11.3.4.
@@ -90,29 +91,10 @@ auto of_kinds(std::string_view function, const A& a, const B& b, const F& f) {
   });
 }
 
-template <class A, class B>
-concept OwnInMotion =
-    (MovedBy<A>::moves || MovedBy<B>::moves) && OwnPair<typename MovedBy<A>::Type, typename MovedBy<B>::Type>;
-template <class S>
-const S& still(const S& s) {
-  return s;
-}
-template <class S>
-const S& still(const Translating<S>& s) {
-  return s.shape;
-}
-template <class S>
-Vector3 motion_of(const S&) {
-  return {0, 0, 0};
-}
-template <class S>
-Vector3 motion_of(const Translating<S>& s) {
-  return s.by;
-}
 template <class A, class B, class F>
-auto of_motions(std::string_view function, const A& a, const B& b, const F& f) {
-  return of_kinds(function, still(a), still(b), [&](const PosedView& x, const PosedView& y) {
-    return f(AnyMotion{x, motion_of(a)}, AnyMotion{y, motion_of(b)});
+auto of_motions(std::string_view function, const Translating<A>& a, const Translating<B>& b, const F& f) {
+  return of_seen(function, a.shape, b.shape, [&](const RoundedView& x, const RoundedView& y) {
+    return f(PosedMotion{x.figure, a.by, x.radius}, PosedMotion{y.figure, b.by, y.radius});
   });
 }
 
@@ -192,16 +174,18 @@ requires query::OwnPair<A, B> AnyIntersection intersection(const A& a, const B& 
 }
 
 template <class A, class B>
-requires query::OwnInMotion<A, B> std::optional<Contact> first_contact(const A& a, const B& b) {
+requires query::OwnPair<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const Translating<B>& b) {
   return query::of_motions("first_contact", a, b, query::any_first_contact);
 }
 template <class A, class B>
-requires query::OwnInMotion<A, B> std::optional<Root> first_contact_time(const A& a, const B& b) {
+requires query::OwnPair<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const Translating<B>& b) {
   return query::of_motions("first_contact_time", a, b, query::any_first_contact_time);
 }
 template <class A, class B>
-requires query::OwnInMotion<A, B>
-bool intersects(const A& a, const B& b) { return query::of_motions("intersects", a, b, query::any_meet); }
+requires query::OwnPair<A, B>
+bool intersects(const Translating<A>& a, const Translating<B>& b) {
+  return query::of_motions("intersects", a, b, query::any_meet);
+}
 
 /// Of the farthest ball; the feature is the number of its place.
 template <RoundedHullFigure Shape>

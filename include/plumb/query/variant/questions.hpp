@@ -32,6 +32,7 @@
 #include "plumb/query/ray/ray.hpp"
 #include "plumb/query/section/planes.hpp"
 #include "plumb/query/section/solid.hpp"
+#include "plumb/query/time_of_impact/posed.hpp"
 #include "plumb/query/time_of_impact/posed_corners.hpp"
 
 namespace plumb {
@@ -72,14 +73,9 @@ Support3 any_support_point(const AnyFigure& figure, const Vector3& direction);
 double any_support_value(const AnyFigure& figure, const Vector3& direction, Rounding rounding);
 Aabb3 any_fit_aabb(const AnyFigure& figure);
 
-/// During time [0, 1]; of a figure of the plane by.z is zero.
-struct AnyMotion {
-  PosedView figure;
-  Vector3 by;
-};
-std::optional<Contact> any_first_contact(const AnyMotion& a, const AnyMotion& b);
-std::optional<Root> any_first_contact_time(const AnyMotion& a, const AnyMotion& b);
-bool any_meet(const AnyMotion& a, const AnyMotion& b);
+std::optional<Contact> any_first_contact(const PosedMotion& a, const PosedMotion& b);
+std::optional<Root> any_first_contact_time(const PosedMotion& a, const PosedMotion& b);
+bool any_meet(const PosedMotion& a, const PosedMotion& b);
 
 bool any_corners_meet(const CornersInMotion& a, const CornersInMotion& b, const ContactOptions& options);
 std::optional<Contact> any_corner_contact(const CornersInMotion& a, const CornersInMotion& b,
@@ -93,32 +89,13 @@ CornersInMotion any_corners(const Moving<S>& s) {
 }
 
 template <class S>
-AnyMotion any_motion(const S& s) {
-  return {any_view(s), {0, 0, 0}};
-}
-template <class S>
-AnyMotion any_motion(const Translating<S>& s) {
+PosedMotion any_motion(const Translating<S>& s) {
   if constexpr (requires { s.by.z; }) {
     return {any_view(s.shape), s.by};
   } else {
     return {any_view(s.shape), {s.by.x, s.by.y, 0}};
   }
 }
-
-/// Which figure is it that moves, or stands still?
-template <class S>
-struct MovedBy {
-  using Type = S;
-  static constexpr bool moves = false;
-};
-template <class S>
-struct MovedBy<Translating<S>> {
-  using Type = S;
-  static constexpr bool moves = true;
-};
-template <class A, class B>
-concept AnyInMotion =
-    (MovedBy<A>::moves || MovedBy<B>::moves) && AnyPair<typename MovedBy<A>::Type, typename MovedBy<B>::Type>;
 
 }  // namespace query
 
@@ -197,16 +174,18 @@ requires query::AnyPair<A, B> AnyIntersection intersection(const A& a, const B& 
 }
 
 template <class A, class B>
-requires query::AnyInMotion<A, B> std::optional<Contact> first_contact(const A& a, const B& b) {
+requires query::AnyPair<A, B> std::optional<Contact> first_contact(const Translating<A>& a, const Translating<B>& b) {
   return query::any_first_contact(query::any_motion(a), query::any_motion(b));
 }
 template <class A, class B>
-requires query::AnyInMotion<A, B> std::optional<Root> first_contact_time(const A& a, const B& b) {
+requires query::AnyPair<A, B> std::optional<Root> first_contact_time(const Translating<A>& a, const Translating<B>& b) {
   return query::any_first_contact_time(query::any_motion(a), query::any_motion(b));
 }
 template <class A, class B>
-requires query::AnyInMotion<A, B>
-bool intersects(const A& a, const B& b) { return query::any_meet(query::any_motion(a), query::any_motion(b)); }
+requires query::AnyPair<A, B>
+bool intersects(const Translating<A>& a, const Translating<B>& b) {
+  return query::any_meet(query::any_motion(a), query::any_motion(b));
+}
 
 /// Of points, segments and triangles; the two places of a figure are of one kind, each under a pose of its own.
 template <class A, class B>
