@@ -34,8 +34,8 @@ std::vector<Exact3> exact_corners(const CoreCorners& c) {
   return all;
 }
 
-std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
-                                       const ProvedCorners& proved) {
+std::optional<ToldPair> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
+                                        const ProvedCorners& proved) {
   if (proved.meets || !proved.is_alone) return {};
   const auto feature_a = feature_of(a, named(proved.corners, 0).all(), proved.a);
   const auto feature_b = feature_of(b, named(proved.corners, 1).all(), proved.b);
@@ -61,7 +61,7 @@ Closest BodyPair::closest(const ProvedCorners& proved, WhichPair which) const {
   const mpq_class &radius_a = bodies_[0].radius, &radius_b = bodies_[1].radius;
   if (is_double(radius_a) && is_double(radius_b)) {
     const QuickPair quick(a(), b(), radius_a.get_d(), radius_b.get_d(), proved);
-    if (const auto c = closest_at_once(quick, {views_[0], a()}, {views_[1], b()}, proved)) return *c;
+    if (const auto c = closest_at_once(quick, {views_[0], a()}, {views_[1], b()}, proved)) return c->closest;
   }
   const bool is_first = which == WhichPair::first;
   const std::array points{exact_corners(a()), exact_corners(b())};

@@ -23,8 +23,8 @@ struct SeenBody {
 Feature least_feature(std::span<const std::uint32_t> of);
 
 /// In pairs of doubles, where they and the corners tell all of it.
-std::optional<Closest> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
-                                       const ProvedCorners& proved);
+std::optional<ToldPair> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
+                                        const ProvedCorners& proved);
 
 std::vector<Exact3> exact_corners(const CoreCorners& c);
 

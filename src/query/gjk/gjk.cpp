@@ -56,7 +56,7 @@ struct Found {
   std::uint32_t steps = 0;
 };
 
-/// As far as doubles prove it.
+/// As far as doubles prove it, or integers of a thousand bits.
 std::optional<Found> quickly_found(const SeenBody& a, const SeenBody& b, const GjkOptions& options) {
   Found f;
   DifferenceCorners guess = start_of(options.cache, a.corners, b.corners);
@@ -69,9 +69,9 @@ std::optional<Found> quickly_found(const SeenBody& a, const SeenBody& b, const G
     }
   }
   guess = guessed_nearest(a.corners, b.corners, is_known ? guess : DifferenceCorners{}, f.steps);
-  const auto j = judged<Running>(a.corners, b.corners, guess);
-  if (!j || !j->holds) return {};
-  f.proved = j->proved;
+  const auto proved = proved_nearest(a.corners, b.corners, guess);
+  if (!proved) return {};
+  f.proved = *proved;
   return f;
 }
 
@@ -111,7 +111,6 @@ std::optional<CoreCorners> corners_at_once(const BodyView& v) {
   if (corners && !is_real_but_of_solids(*corners)) return {};
   return corners;
 }
-double radius_at_once(const BodyView& v) { return radius_of(v); }
 
 void remember(const GjkOptions& options, const QuickNearest& found) {
   if (options.cache == nullptr) return;
@@ -119,16 +118,38 @@ void remember(const GjkOptions& options, const QuickNearest& found) {
   options.cache->direction = {found.way.x, found.way.y, found.way.z};
 }
 
-/// Of hulls as given and without a radius, as far as doubles prove it.  All corners of what is no polyhedron are asked,
-/// so that a number which is none is seen.
-std::optional<double> apart_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options) {
+/// Both as given and without a radius.
+bool set_given(QuickHull& p, QuickHull& q, const BodyView& a, const BodyView& b) {
+  return radius_of(a) == 0 && radius_of(b) == 0 && p.set(a) && q.set(b) && p.is_given() && q.is_given();
+}
+
+/// Of hulls as given, as far as doubles prove it.  All corners of what is no polyhedron are asked, so that a number which is
+/// none is seen.
+std::optional<double> given_apart(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   QuickHull p, q;
-  if (options.history != nullptr || !p.set(a) || !q.set(b) || !p.is_given() || !q.is_given()) return {};
+  if (!set_given(p, q, a, b)) return {};
   const auto found = quickly_nearest(p, q, options.cache);
   if (!found || (found->proved.meets && !(p.is_finite_but_of_solid() && q.is_finite_but_of_solid()))) return {};
   const auto d = found->proved.meets ? 0 : quick_distance(p, q, found->proved.corners);
   if (d) remember(options, *found);
   return d;
+}
+
+/// Without rationals.
+std::optional<double> apart_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options) {
+  if (options.history != nullptr) return {};
+  if (const auto d = given_apart(a, b, options)) return d;
+  auto p = corners_at_once(a), q = corners_at_once(b);
+  if (!p || !q) return {};
+  bring_to_one_weight(*p, *q);
+  const auto f = quickly_found({a, *p}, {b, *q}, options);
+  if (!f) return {};
+  remember(options, *p, *q, f->proved);
+  const double radius_a = radius_of(a), radius_b = radius_of(b);
+  const QuickPair quick(*p, *q, radius_a, radius_b, f->proved);
+  if (const auto d = quick.distance()) return *d;
+  if (gap_of(*p, *q, f->proved.corners, radius_a, radius_b) != Sign::positive) return 0;
+  return rounded_distance(quick.square(), mpq_class(radius_a) + mpq_class(radius_b));
 }
 
 /// A plane touches a hull as given in these corners; others of it lie in the plane where it `is_level`.
@@ -141,6 +162,11 @@ std::optional<Feature> feature_of(const BodyView& v, const QuickHull& h, const N
   return feature_of_corners(v.figure, *corners, of.all(), {true, level, level});
 }
 
+/// Which of several closest pairs, of bodies that are apart and of those that meet.
+struct PairsTold {
+  WhichPair apart, common;
+};
+
 /// A point that both have in common.
 Closest common_point(const BodyView& a, const BodyView& b, const QuickHull& p, const QuickHull& q,
                      const ProvedCorners& proved) {
@@ -150,8 +176,8 @@ Closest common_point(const BodyView& a, const BodyView& b, const QuickHull& p, c
 
 /// As far as the quick search found it, and the features are those of its corners.
 std::optional<Closest> closest_of(const BodyView& a, const BodyView& b, const QuickHull& p, const QuickHull& q,
-                                  const QuickNearest& found, WhichPair which) {
-  if (which == WhichPair::first && !found.proved.is_alone) return {};
+                                  const QuickNearest& found, const PairsTold& told) {
+  if ((found.proved.meets ? told.common : told.apart) == WhichPair::first && !found.proved.is_alone) return {};
   if (found.proved.meets) return common_point(a, b, p, q, found.proved);
   const auto feature_a = feature_of(a, p, found.of_a, found.proved.a.level != 0);
   const auto feature_b = feature_of(b, q, found.of_b, found.proved.b.level != 0);
@@ -161,17 +187,36 @@ std::optional<Closest> closest_of(const BodyView& a, const BodyView& b, const Qu
   return c;
 }
 
-std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options) {
+std::optional<GjkAnswer> given_answer(const BodyView& a, const BodyView& b, const GjkOptions& options,
+                                      const PairsTold& told) {
   QuickHull p, q;
-  if (options.history != nullptr || !p.set(a) || !q.set(b) || !p.is_given() || !q.is_given()) return {};
+  if (!set_given(p, q, a, b)) return {};
   const auto found = quickly_nearest(p, q, options.cache);
   if (!found) return {};
   const bool meets = found->proved.meets;
   if (meets && !(p.is_finite_but_of_solid() && q.is_finite_but_of_solid())) return {};
-  const auto c = closest_of(a, b, p, q, *found, options.pair);
+  const auto c = closest_of(a, b, p, q, *found, told);
   if (!c) return {};
   remember(options, *found);
   return GjkAnswer{meets, *c, found->steps, simplex_of(found->proved.corners)};
+}
+
+/// Without rationals.
+std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, const GjkOptions& options,
+                                          const PairsTold& told) {
+  if (options.history != nullptr) return {};
+  if (const auto answer = given_answer(a, b, options, told)) return answer;
+  auto p = corners_at_once(a), q = corners_at_once(b);
+  if (!p || !q) return {};
+  bring_to_one_weight(*p, *q);
+  const auto f = quickly_found({a, *p}, {b, *q}, options);
+  if (!f || (f->proved.meets && told.common == WhichPair::first)) return {};
+  const QuickPair quick(*p, *q, radius_of(a), radius_of(b), f->proved);
+  auto c = closest_at_once(quick, {a, *p}, {b, *q}, f->proved);
+  if (!c && told.common == WhichPair::any && (f->proved.meets || radius_of(a) + radius_of(b) > 0)) c = quick.common();
+  if (!c) return {};
+  remember(options, *p, *q, f->proved);
+  return GjkAnswer{c->meets, c->closest, f->steps, simplex_of(f->proved.corners)};
 }
 
 }  // namespace
@@ -180,7 +225,7 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
   GjkCache guess = options.cache == nullptr ? GjkCache{} : *options.cache;
   if (options.history == nullptr) {
     QuickBody first{a}, second{b};
-    if (first.hull.set(a) && second.hull.set(b)) {
+    if (first.set() && second.set()) {
       const Meeting met = met_at_once(first, second, guess);
       if (met != Meeting::unsure && options.cache != nullptr) *options.cache = guess;
       if (met != Meeting::unsure) return met != Meeting::apart;
@@ -195,15 +240,6 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
 
 double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& options) {
   if (const auto d = apart_at_once(a, b, options)) return *d;
-  auto p = corners_at_once(a), q = corners_at_once(b);
-  if (p && q) bring_to_one_weight(*p, *q);
-  if (options.history == nullptr && p && q) {
-    if (const auto f = quickly_found({a, *p}, {b, *q}, options)) {
-      remember(options, *p, *q, f->proved);
-      const QuickPair quick(*p, *q, radius_at_once(a), radius_at_once(b), f->proved);
-      if (const auto d = quick.distance()) return *d;
-    }
-  }
   const BodyPair pair("gjk_distance", a, b);
   const Found f = certainly_found(pair.a(), pair.b(), options);
   remember(options, pair.a(), pair.b(), f.proved);
@@ -211,31 +247,19 @@ double gjk_apart_by(const BodyView& a, const BodyView& b, const GjkOptions& opti
 }
 
 GjkAnswer gjk_answer(const BodyView& a, const BodyView& b, const GjkOptions& options) {
-  if (const auto answer = answered_at_once(a, b, options)) return *answer;
-  auto p = corners_at_once(a), q = corners_at_once(b);
-  if (p && q) bring_to_one_weight(*p, *q);
-  if (options.history == nullptr && p && q) {
-    const auto f = quickly_found({a, *p}, {b, *q}, options);
-    if (f && !f->proved.meets) {
-      const QuickPair quick(*p, *q, radius_at_once(a), radius_at_once(b), f->proved);
-      if (const auto c = closest_at_once(quick, {a, *p}, {b, *q}, f->proved)) {
-        remember(options, *p, *q, f->proved);
-        return {false, *c, f->steps, simplex_of(f->proved.corners)};
-      }
-    }
-  }
+  if (const auto answer = answered_at_once(a, b, options, {options.pair, options.pair})) return *answer;
   const BodyPair pair("gjk", a, b);
   const Found f = certainly_found(pair.a(), pair.b(), options);
   remember(options, pair.a(), pair.b(), f.proved);
   return {pair.meets(f.proved), pair.closest(f.proved, options.pair), f.steps, simplex_of(f.proved.corners)};
 }
 
-std::optional<double> distance_by_search(const FigureView& a, const FigureView& b) {
-  return apart_at_once({.figure = a}, {.figure = b}, {});
+std::optional<double> distance_by_search(const PosedView& a, const PosedView& b) {
+  return apart_at_once(body_of(a), body_of(b), {});
 }
 
-std::optional<Closest> closest_by_search(const FigureView& a, const FigureView& b) {
-  const auto answer = answered_at_once({.figure = a}, {.figure = b}, {.pair = WhichPair::first});
+std::optional<Closest> closest_by_search(const PosedView& a, const PosedView& b, WhichPair common) {
+  const auto answer = answered_at_once(body_of(a), body_of(b), {}, {WhichPair::first, common});
   return answer ? std::optional(answer->closest) : std::nullopt;
 }
 

@@ -5,9 +5,12 @@
 
 #include "arith/certain.hpp"
 #include "arith/running_error.hpp"
+#include "plumb/arith/big.hpp"
+#include "plumb/arith/short_dyadic.hpp"
 #include "plumb/query/body/detail/with_figure.hpp"
 #include "query/convex/search.hpp"
 #include "query/gjk/quick_nearest.hpp"
+#include "query/separation/exact_corners.hpp"
 
 namespace plumb::query {
 namespace {
@@ -22,26 +25,76 @@ DifferenceCorners corners_of(const GjkSimplex& simplex) {
   return corners;
 }
 
-void keep(GjkCache& found, const QuickNearest& n) {
-  const DifferenceCorners& corners = n.proved.corners;
-  found.direction = {n.way.x, n.way.y, n.way.z}, found.simplex.size = static_cast<std::uint32_t>(corners.size);
+void keep(GjkCache& found, const DifferenceCorners& corners, const arith::Plain& way) {
+  found.direction = {way.x, way.y, way.z}, found.simplex.size = static_cast<std::uint32_t>(corners.size);
   for (std::size_t i = 0; i < corners.size; ++i) found.simplex.corners[i] = corners.ends[i];
+}
+
+/// Has the plane through three corners of the difference, which hold the origin, either hull on a side of its own, and not
+/// all of both in it?
+template <class T>
+std::optional<bool> are_parted_in(const std::array<CoreCorners, 2>& c, const DifferenceCorners& corners) {
+  const auto at = differences_of<T>(c[0], c[1], corners);
+  const auto n = arith::cross(at[1] - at[0], at[2] - at[0]);
+  CertainSigns ask;
+  std::array<std::array<bool, 2>, 2> beside{};  // of either hull: is there something ahead, and behind?
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto from = c[k].at<T>(corners.ends[0][k]);
+    for (std::size_t i = 0; i < c[k].size() && !(beside[k][0] && beside[k][1]) && ask.certain(); ++i) {
+      const Sign s = ask(dot(n, c[k].at<T>(i) - from));
+      beside[k][0] = beside[k][0] || s == Sign::positive, beside[k][1] = beside[k][1] || s == Sign::negative;
+    }
+  }
+  if (!ask.certain()) return {};
+  const auto& [a, b] = beside;
+  return !(a[0] && (a[1] || b[0])) && !(b[1] && (b[0] || a[1])) && (a[0] || a[1] || b[0] || b[1]);
+}
+
+/// Of corners that are no doubles as given, and no radius.
+Meeting met_under_pose(const QuickBody& a, const QuickBody& b, GjkCache& found) {
+  const auto c = corners_of(a, b);
+  if (!c[0].is_finite() || !c[1].is_finite()) return Meeting::unsure;
+  const ProvedCorners proved = certainly_nearest(c[0], c[1], corners_of(found.simplex));
+  keep(found, proved.corners, {0, 0, 0});
+  if (!proved.meets || proved.corners.size != 3) return meeting_of(proved);
+  auto parted = are_parted_in<ShortDyadic>(c, proved.corners);
+  if (!parted) parted = are_parted_in<BigDyadic>(c, proved.corners);
+  return *parted ? Meeting::touch : Meeting::meet;
+}
+
+/// By integers of the width that it takes.
+Meeting met_by_reach(const QuickBody& a, const QuickBody& b, GjkCache& found) {
+  std::uint32_t steps = 0;
+  const Told told = quickly_told_round(a, b, found, steps);
+  if (told == Told::apart) return Meeting::apart;
+  if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return Meeting::unsure;
+  if (told == Told::meet) return Meeting::overlap;
+  const auto c = corners_of(a, b);
+  if (!c[0].is_finite() || !c[1].is_finite() || !figure::is_real(a.radius + b.radius)) return Meeting::unsure;
+  const DifferenceCorners corners = corners_of(found.simplex);
+  const auto at_once = judged<ShortDyadic>(c[0], c[1], corners);
+  const ProvedCorners proved = at_once && at_once->holds ? at_once->proved : certainly_nearest(c[0], c[1], corners);
+  keep(found, proved.corners, {0, 0, 0});
+  if (proved.meets) return Meeting::overlap;
+  const Sign gap = gap_of(c[0], c[1], proved.corners, a.radius, b.radius);
+  return gap == Sign::zero ? Meeting::touch : gap == Sign::positive ? Meeting::apart : Meeting::overlap;
 }
 
 }  // namespace
 
 Meeting met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& found) {
+  if (a.radius > 0 || b.radius > 0) return met_by_reach(a, b, found);
   std::uint32_t steps = 0;
   const Told told = quickly_told(a, b, found, steps);
   if (told == Told::apart) return Meeting::apart;
   if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return Meeting::unsure;
   if (told == Told::meet) return found.simplex.size == 4 ? Meeting::overlap : Meeting::meet;
-  if (!a.hull.is_given() || !b.hull.is_given()) return Meeting::unsure;
+  if (!a.hull.is_given() || !b.hull.is_given()) return met_under_pose(a, b, found);
   const DifferenceCorners corners = corners_of(found.simplex);
   auto n = certainly_proved(a.hull, b.hull, corners);
   if (!n) n = finely_nearest(a.hull, b.hull, corners);
   if (!n) return Meeting::unsure;
-  keep(found, *n);
+  keep(found, n->proved.corners, n->way);
   return meeting_of(n->proved);
 }
 
@@ -79,14 +132,14 @@ std::optional<CoreCorners> cut_to(const ConvexPolyhedron3& solid, const FigureVi
 
 /// `other`: what lines and rays are cut to.
 bool set(QuickBody& body, std::optional<CoreCorners>& cut, const FigureView& figure, const FigureView& other) {
-  if (!is_one_of(figure.kind, {FigureKind::line, FigureKind::ray})) return body.hull.set(body.view);
+  if (!is_one_of(figure.kind, {FigureKind::line, FigureKind::ray})) return body.set();
   if (other.kind != FigureKind::convex_polyhedron) return false;
   cut = cut_to(*static_cast<const ConvexPolyhedron3*>(other.shape), figure);
   body.core = cut ? &*cut : nullptr;
   return cut && body.hull.set(*cut);
 }
 
-/// Two figures, of which one is a polyhedron.
+/// Two figures, whose corners may be asked.
 struct FigurePair {
   BodyView view_of_a, view_of_b;
   QuickBody a{view_of_a}, b{view_of_b};
@@ -104,11 +157,13 @@ struct FigurePair {
 
 }  // namespace
 
-std::optional<Relation> relate_by_search(const FigureView& a, const FigureView& b) {
-  FigurePair pair{.view_of_a{.figure = a}, .view_of_b{.figure = b}};
+std::optional<Relation> relate_by_search(const PosedView& a, const PosedView& b) {
+  FigurePair pair{.view_of_a = body_of(a), .view_of_b = body_of(b)};
   switch (pair.met()) {
     case Meeting::apart:
       return Relation::disjoint;
+    case Meeting::touch:
+      return Relation::touching;
     case Meeting::overlap:
       return Relation::overlapping;
     case Meeting::meet:
@@ -121,8 +176,8 @@ std::optional<Relation> relate_by_search(const FigureView& a, const FigureView& 
   }
 }
 
-std::optional<bool> meet_by_search(const FigureView& a, const FigureView& b) {
-  FigurePair pair{.view_of_a{.figure = a}, .view_of_b{.figure = b}};
+std::optional<bool> meet_by_search(const PosedView& a, const PosedView& b) {
+  FigurePair pair{.view_of_a = body_of(a), .view_of_b = body_of(b)};
   const Meeting met = pair.met();
   if (met == Meeting::unsure) return {};
   return met != Meeting::apart;

@@ -175,7 +175,8 @@ struct AreNearest {
   }
 };
 
-/// Of three corners whose plane holds the origin: is all of a on one side of it and all of b on the other, or in it?
+/// Of three corners whose plane holds the origin: is all of a on one side of it and all of b on the other, or in it, but not
+/// all of both in it?
 struct AreParted {
   static constexpr int highest = 3;
   static constexpr Scales scales{.count = 2};
@@ -203,7 +204,7 @@ struct AreParted {
     see(0, a);
     if (ahead[0] && behind[0]) return false;
     see(1, b);
-    return !(ahead[1] && behind[1]) && !(ahead[0] && ahead[1]) && !(behind[0] && behind[1]);
+    return ahead[0] ? !ahead[1] : behind[0] ? !behind[1] : ahead[1] != behind[1];
   }
 };
 

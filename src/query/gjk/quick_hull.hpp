@@ -2,13 +2,15 @@
 //
 // On a polyhedron it is climbed to from neighbor to neighbor, from the corner that was found last; of a body under a pose the
 // direction is turned into the body's own frame, where it stands.
-// Law: what is told is a corner.  `is_given`: the corners are points of doubles as given, and `given(i)` is one.
+// Laws: what is told is a corner.  `is_given`: the corners are points of doubles as given, and `given(i)` is one;
+// `is_running`: they are numbers with their errors, and `running(i)` is one.
 // Source: RTCD 9.5.4, 9.5.5, 9.5.6.
 // Cost: a product of vectors a corner, or a neighbor on the way.
 #pragma once
 
 #include <array>
 
+#include "arith/running_error.hpp"
 #include "arith/vec.hpp"
 #include "certify/fused.hpp"
 #include "query/gjk/quick_scan.hpp"
@@ -23,7 +25,7 @@ class QuickHull {
   QuickHull& operator=(const QuickHull&) = delete;
   ~QuickHull() = default;
 
-  /// Not of what is round, of polygons whose convexity is to be proved, of what is empty, and under a rigid pose: false.
+  /// Of the core of what is round.  Not of polygons whose convexity is to be proved, and of what is empty: false.
   bool set(const BodyView& body);
   /// Of any core but of what is swept or under a rigid pose, with the numbers of its corners.
   bool set(const CoreCorners& core);
@@ -31,21 +33,27 @@ class QuickHull {
   [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] bool is_given() const { return is_given_; }
   [[nodiscard]] const Point3& given(std::uint32_t i) const { return at_[i]; }
+  [[nodiscard]] bool is_running() const { return !is_posed_ && has_errors_; }
+  [[nodiscard]] arith::Vec<Running> running(std::uint32_t i) const {
+    if (is_given_) return arith::vec<Running>(at_[i]);
+    const Point3 &p = few_[i], &off = off_[i];
+    return {{p.x, off.x}, {p.y, off.y}, {p.z, off.z}};
+  }
   [[nodiscard]] const ConvexPolyhedron3* solid() const { return solid_; }
 
-  [[nodiscard]] arith::Plain at(std::uint32_t i) const {
+  [[nodiscard, gnu::always_inline]] arith::Plain at(std::uint32_t i) const {
     const arith::Plain p{at_[i].x, at_[i].y, at_[i].z};
-    return pose_ == nullptr ? p : image(p) + arith::vec<double>(pose_->translation);
+    return is_posed_ ? image(p) + translation_ : p;
   }
   /// The farthest along a direction.
   [[nodiscard]] std::uint32_t farthest(const arith::Plain& along, std::uint32_t last) const {
-    const arith::Plain n = pose_ == nullptr ? along : turned_back(along);
+    const arith::Plain n = is_posed_ ? turned_back(along) : along;
     if (solid_ == nullptr || size_ <= most_scanned) return scanned(n);
     return climbed(n, best_of_some(n, last));
   }
   /// The same, from one that is likely near to it.
   [[nodiscard]] std::uint32_t farthest_from(const arith::Plain& along, std::uint32_t near) const {
-    const arith::Plain n = pose_ == nullptr ? along : turned_back(along);
+    const arith::Plain n = is_posed_ ? turned_back(along) : along;
     constexpr std::uint32_t few = 16;  // a guess: fewer are looked at sooner than neighbors are
     return solid_ == nullptr || size_ < few ? scanned(n) : climbed(n, near);
   }
@@ -63,19 +71,17 @@ class QuickHull {
   static constexpr std::uint32_t most_scanned = quick_scan::most_at_once;
 
   bool set_few(const FigureView& figure);
-  bool take_pose(const AnyPoseView& pose);
+  void take_pose(const AnyPoseView& pose);
   [[nodiscard]] arith::Plain image(const arith::Plain& p) const {
-    const auto& [u, v, w] = pose_->columns;
-    return {u.x * p.x + v.x * p.y + w.x * p.z, u.y * p.x + v.y * p.y + w.y * p.z, u.z * p.x + v.z * p.y + w.z * p.z};
+    return columns_[0] * p.x + columns_[1] * p.y + columns_[2] * p.z;
   }
   [[nodiscard]] arith::Plain turned_back(const arith::Plain& n) const {
-    const auto along = [&](const Vector3& c) { return c.x * n.x + c.y * n.y + c.z * n.z; };
-    return {along(pose_->columns[0]), along(pose_->columns[1]), along(pose_->columns[2])};
+    return {arith::dot(columns_[0], n), arith::dot(columns_[1], n), arith::dot(columns_[2], n)};
   }
   [[nodiscard]] double reach(std::uint32_t i, const arith::Plain& n) const {
     return at_[i].x * n.x + at_[i].y * n.y + at_[i].z * n.z;
   }
-  [[nodiscard]] std::uint32_t scanned(const arith::Plain& n) const {
+  [[nodiscard, gnu::always_inline]] std::uint32_t scanned(const arith::Plain& n) const {
     if (size_ < 4) return scanned_singly(n);
     if (size_ <= 8) return quick_scan::Scan<quick_scan::PairLanes>(at_, size_, n.x, n.y, n.z).of_eight();
     return has_fma ? quick_scan::farthest_by_fours(at_, size_, n.x, n.y, n.z)
@@ -119,10 +125,11 @@ class QuickHull {
 
   const Point3* at_ = nullptr;
   const ConvexPolyhedron3* solid_ = nullptr;
-  const Pose* pose_ = nullptr;
   std::uint32_t size_ = 0;
-  bool is_given_ = true;
-  std::array<Point3, 8> few_;
+  bool is_given_ = true, is_posed_ = false, has_errors_ = true;
+  std::array<arith::Plain, 3> columns_;
+  arith::Plain translation_;
+  std::array<Point3, 8> few_, off_;
 };
 
 }  // namespace plumb::query

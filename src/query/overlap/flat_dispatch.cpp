@@ -61,17 +61,17 @@ std::optional<Relation> relate_quickly(const FlatView& a, const FlatView& b) {
   return relate_figures(a, b);
 }
 
-/// The search of convex pairs answers before the figures are looked through.
+/// The search of convex pairs answers before the figures are looked through.  A point is located sooner.
 bool is_searched(const FlatView& a, const FlatView& b) {
-  return (a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron) && !is_empty_box(a) &&
-         !is_empty_box(b);
+  const bool is_solid = a.kind == FigureKind::convex_polyhedron || b.kind == FigureKind::convex_polyhedron;
+  return is_solid || (a.dimension == 3 && a.kind != FigureKind::point && b.kind != FigureKind::point);
 }
 
 }  // namespace
 
 Relation relate_flat(const FlatView& a, const FlatView& b) {
   if (is_searched(a, b)) {
-    if (const auto found = relate_by_search(a, b)) return *found;
+    if (const auto found = relate_by_search({a}, {b})) return *found;
   }
   require_figures("relate", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("relate", a, b);
@@ -81,7 +81,7 @@ Relation relate_flat(const FlatView& a, const FlatView& b) {
 
 bool flat_intersects(const FlatView& a, const FlatView& b) {
   if (is_searched(a, b)) {
-    if (const auto found = meet_by_search(a, b)) return *found;
+    if (const auto found = meet_by_search({a}, {b})) return *found;
   }
   require_figures("intersects", a, b);
   if (is_polygon(a) || is_polygon(b)) return relate_polygon("intersects", a, b) != Relation::disjoint;

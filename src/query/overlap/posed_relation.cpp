@@ -17,6 +17,7 @@
 #include "query/convex/ellipsoid_pair.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/posed_set.hpp"
+#include "query/convex/search.hpp"
 #include "query/convex/separating_axes.hpp"
 #include "query/overlap/polygon_relation.hpp"
 
@@ -238,6 +239,11 @@ std::optional<Relation> relate_posed_quickly(const PosedView& a, const PosedView
 }  // namespace
 
 Relation relate_posed(std::string_view function, const PosedView& a, const PosedView& b) {
+  if (function == name_of(Question::intersects)) {
+    if (const auto meet = meet_by_search(a, b)) return *meet ? Relation::touching : Relation::disjoint;
+  } else if (const auto found = relate_by_search(a, b)) {
+    return *found;
+  }
   require_posed(function, a, b);
   for (const PosedView* v : {&a, &b}) {
     if (with_figure(v->figure, [](const auto& s) { return is_nothing(s); })) return Relation::disjoint;

@@ -5,6 +5,7 @@
 #include "query/convex/core.hpp"
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/round_vertices.hpp"
+#include "query/convex/search.hpp"
 #include "query/overlap/pair_answer.hpp"
 
 namespace plumb {
@@ -91,8 +92,8 @@ Plain nearest_of_core(std::span<const Vertex> core, const Plain& q) {
 
 class HalfspaceSearch {
  public:
-  HalfspaceSearch(std::span<const Side> sides, std::span<const Vertex> core, double radius)
-      : sides_(sides), core_(core), radius_(radius) {}
+  HalfspaceSearch(std::span<const Side> sides, const FigureView& round, std::span<const Vertex> core, double radius)
+      : sides_(sides), round_(round), core_(core), radius_(radius) {}
 
   std::optional<Sign> run() const {
     constexpr int most_rounds = 48, most_at_once = 12;
@@ -130,10 +131,9 @@ class HalfspaceSearch {
     return true;
   }
   [[nodiscard]] bool proved_near(const Plain& at) const {
-    const Vertex q = arith::vec<Running>(at);
-    if (!holds(q)) return false;
-    const std::array<Vertex, 1> point{q};
-    return quick_gap(core_, point, radius_.value, 0) == Sign::negative;
+    if (!holds(arith::vec<Running>(at))) return false;
+    const Point3 place{at.x, at.y, at.z};
+    return relate_by_search({view_of(place)}, {round_}) == Relation::overlapping;
   }
   /// Is every height, of vertices over a halfspace with this normal, more than the radius?
   template <class Height>
@@ -165,6 +165,7 @@ class HalfspaceSearch {
   }
 
   std::span<const Side> sides_;
+  FigureView round_;
   std::span<const Vertex> core_;
   Running radius_;
 };
@@ -174,7 +175,7 @@ Relation relate_halfspaces(const Round& a, const Set& b, Question question) {
   require_figures(question, a, b);
   const std::vector<Side> sides = sides_of(b);
   const auto core = vertices(a);
-  if (const auto gap = HalfspaceSearch(sides, core, a.radius).run()) return static_cast<Relation>(-*gap);
+  if (const auto gap = HalfspaceSearch(sides, view_of(a), core, a.radius).run()) return static_cast<Relation>(-*gap);
   return relate_swept(core_of(a), a.radius, flat_set(b));
 }
 

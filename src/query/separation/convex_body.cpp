@@ -83,7 +83,9 @@ Body body_of(std::string_view function, std::string_view name, const BodyView& b
   return {corners, radius_of_image(function, posed, posed_set(posed))};
 }
 
-double radius_of(const BodyView& body) { return body.is_hull() ? body.radius : radius_of(body.figure); }
+double radius_of(const BodyView& body) {
+  return body.is_hull() ? body.radius : is_flat_kind(body.figure.kind) ? 0 : radius_of(body.figure);
+}
 
 std::array<CoreCorners, 2> corners_of(std::string_view function, const BodyView& a, const BodyView& b) {
   const auto [name_a, name_b] = names_of(a, b);

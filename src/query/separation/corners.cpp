@@ -118,11 +118,16 @@ std::optional<GivenBox> CoreCorners::given_box() const {
 
 bool CoreCorners::is_finite() const {
   double sum = sum_of(by_) + sum_of(less_) + time_;
-  if (is_turned_) {
-    for (const Vector3& column : columns_) sum += sum_of(column);
-    sum += sum_of(translation_);
-  }
-  if (is_far_) return false;
+  const bool has_pose = std::visit(
+      []<class By>(const By& by) {
+        if constexpr (std::is_same_v<By, std::monostate>) {
+          return true;
+        } else {
+          return is_sound(*by);
+        }
+      },
+      pose_.by);
+  if (!has_pose) return false;
   if (!list_.empty()) {
     for (const Point3& p : list_) sum += sum_of(p);
     return is_real(sum);

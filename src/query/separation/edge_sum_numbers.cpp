@@ -334,25 +334,37 @@ std::optional<SumNumbers> nearest_on(const EdgeSum& a, const EdgeSum& b, const E
   return has_fma ? numbers_fused(a, b, face, points) : numbers_plain(a, b, face, points);
 }
 
+namespace {
+
+/// Two sums, and what is nearest of them.
+struct NearSums {
+  EdgeSum a, b;
+  EdgeFace face;
+
+  std::optional<SumNumbers> set(const PosedView& of_a, const PosedView& of_b, bool points) {
+    if (!a.set(of_a) || !b.set(of_b)) return {};
+    const auto guess = guessed_face(a, b);
+    if (!guess) return {};
+    face = *guess;
+    return nearest_on(a, b, face, points);
+  }
+};
+
+}  // namespace
+
 std::optional<Closest> closest_of_sums(const PosedView& a, const PosedView& b) {
-  EdgeSum p, q;
-  if (!p.set(a) || !q.set(b)) return {};
-  const auto face = guessed_face(p, q);
-  if (!face) return {};
-  const auto n = nearest_on(p, q, *face, true);
+  NearSums sums;
+  const auto n = sums.set(a, b, true);
   if (!n) return {};
-  return Closest{n->on_a, n->on_b, n->distance, feature_on(a.figure, p, face->along[0], face->upper[0]),
-                 feature_on(b.figure, q, face->along[1], face->upper[1])};
+  const auto& [along, upper] = sums.face;
+  return Closest{n->on_a, n->on_b, n->distance, feature_on(a.figure, sums.a, along[0], upper[0]),
+                 feature_on(b.figure, sums.b, along[1], upper[1])};
 }
 
 std::optional<double> distance_of_sums(const PosedView& a, const PosedView& b) {
-  EdgeSum p, q;
-  if (!p.set(a) || !q.set(b)) return {};
-  const auto face = guessed_face(p, q);
-  if (!face) return {};
-  const auto n = nearest_on(p, q, *face, false);
-  if (!n) return {};
-  return n->distance;
+  NearSums sums;
+  const auto n = sums.set(a, b, false);
+  return n ? std::optional(n->distance) : std::nullopt;
 }
 
 }  // namespace plumb::query

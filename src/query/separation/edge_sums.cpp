@@ -4,10 +4,18 @@
 
 #include "arith/vec.hpp"
 #include "plumb/certify/accepted.hpp"
+#include "plumb/query/body/detail/with_figure.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/weighted_pose.hpp"
 
 namespace plumb::query {
+
+template <class Shape>
+inline constexpr bool is_edge_sum = figure_dimension<Shape> == 3 &&
+                                    is_one_of(figure_kind<Shape>,
+                                              {FigureKind::point, FigureKind::segment, FigureKind::rectangle,
+                                               FigureKind::ball, FigureKind::aabb, FigureKind::obb,
+                                               FigureKind::capsule});
 
 void EdgeSum::take_edge(const Vector3& axis, const Vector3& begin, const Vector3& end) {
   edges[size++] = {axis, begin, end, all};
@@ -88,27 +96,13 @@ bool EdgeSum::take_pose(const AnyPoseView& by) {
 
 bool EdgeSum::set(const PosedView& v) {
   if (v.figure.dimension != 3 || !take_pose(v.pose)) return false;
-  const auto take_as = [&]<class Shape>(std::type_identity<Shape>) {
-    return take(*static_cast<const Shape*>(v.figure.shape));
-  };
-  switch (v.figure.kind) {
-    case FigureKind::point:
-      return take_as(std::type_identity<Point3>());
-    case FigureKind::segment:
-      return take_as(std::type_identity<Segment3>());
-    case FigureKind::rectangle:
-      return take_as(std::type_identity<Rectangle3>());
-    case FigureKind::ball:
-      return take_as(std::type_identity<Sphere3>());
-    case FigureKind::aabb:
-      return take_as(std::type_identity<Aabb3>());
-    case FigureKind::obb:
-      return take_as(std::type_identity<Obb3>());
-    case FigureKind::capsule:
-      return take_as(std::type_identity<Capsule3>());
-    default:
+  return with_figure(v.figure, [this]<class Shape>(const Shape& s) {
+    if constexpr (is_edge_sum<Shape>) {
+      return take(s);
+    } else {
       return false;
-  }
+    }
+  });
 }
 
 namespace {

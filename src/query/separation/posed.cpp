@@ -7,10 +7,10 @@
 #include "query/body/figure_input.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/convex/posed_radius.hpp"
+#include "query/convex/search.hpp"
 #include "query/overlap/polygon_relation.hpp"
 #include "query/separation/cores.hpp"
 #include "query/separation/edge_sums.hpp"
-#include "query/separation/quick.hpp"
 #include "query/separation/told_pair.hpp"
 
 namespace plumb::query {
@@ -37,11 +37,9 @@ struct SeenUnderPose {
 
 }  // namespace
 
-Closest posed_closest_points(const PosedView& a, const PosedView& b) {
+Closest posed_closest_points(const PosedView& a, const PosedView& b, WhichPair common) {
   if (const auto c = closest_of_sums(a, b)) return *c;
-  if (const auto quick = QuickPair::of(a, b)) {
-    if (const auto c = quick->closest(a.figure, b.figure)) return *c;
-  }
+  if (const auto c = closest_by_search(a, b, common)) return *c;
   require_posed(asked_of_posed, a, b);
   SeenUnderPose p(a), q(b);
   p.seen.map = &p.set.map, q.seen.map = &q.set.map;

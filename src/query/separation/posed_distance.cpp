@@ -10,9 +10,9 @@
 #include "query/convex/exact_gap.hpp"
 #include "query/convex/flat_view.hpp"
 #include "query/convex/posed_radius.hpp"
+#include "query/convex/search.hpp"
 #include "query/overlap/polygon_relation.hpp"
 #include "query/separation/edge_sums.hpp"
-#include "query/separation/quick.hpp"
 
 namespace plumb::query {
 namespace {
@@ -78,9 +78,7 @@ Closest posed_closest_points(const Point3& p, const Posed<Triangle3>& triangle) 
 // root(p / q) - n / m is (m root(p q) - n q) / (m q).
 double posed_distance(const PosedView& a, const PosedView& b, Question question) {
   if (const auto d = distance_of_sums(a, b)) return *d;
-  if (const auto quick = QuickPair::of(a, b)) {
-    if (const auto d = quick->distance()) return *d;
-  }
+  if (const auto d = distance_by_search(a, b)) return *d;
   const MeasuredGap gap = measured_gap(question, a, b);
   if (!gap.is_open()) return 0;
   const mpz_class &p = gap.square.get_num(), &q = gap.square.get_den();

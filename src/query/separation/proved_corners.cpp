@@ -6,6 +6,19 @@
 #include "query/separation/exact_corners.hpp"
 
 namespace plumb::query {
+namespace {
+
+template <class T>
+std::optional<Sign> gap_in(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners,
+                           double radius_a, double radius_b) {
+  CertainSigns ask;
+  const auto n = nearest_of<T, Sought::square>(a, b, corners, ask);
+  const T reach = (T(radius_a) + T(radius_b)) * a.scale<T>();
+  const Sign gap = ask(n.square - reach * reach * n.square_whole);
+  return ask.certain() ? std::optional(gap) : std::nullopt;
+}
+
+}  // namespace
 
 NamedCorners named(const DifferenceCorners& corners, std::size_t which) {
   NamedCorners n;
@@ -38,6 +51,12 @@ ProvedCorners certainly_nearest(const CoreCorners& a, const CoreCorners& b, cons
   if (const auto proved = settled<ShortDyadic>(a, b, guess, see)) return *proved;
   if (seen != nullptr && !seen->empty()) seen->pop_back();  // will be seen again
   return *settled<BigDyadic>(a, b, last, see);
+}
+
+Sign gap_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners, double radius_a,
+            double radius_b) {
+  const auto gap = gap_in<ShortDyadic>(a, b, corners, radius_a, radius_b);
+  return gap ? *gap : *gap_in<BigDyadic>(a, b, corners, radius_a, radius_b);
 }
 
 }  // namespace plumb::query

@@ -26,6 +26,10 @@ std::optional<ProvedCorners> proved_nearest(const CoreCorners& a, const CoreCorn
 ProvedCorners certainly_nearest(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& guess,
                                 std::vector<DifferenceCorners>* seen = nullptr);
 
+/// Of corners that are proved: the sign of how far the hulls are apart, less two radii.
+Sign gap_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners, double radius_a,
+            double radius_b);
+
 /// The different ones among the corners of a (0) or b (1).
 struct NamedCorners {
   std::array<std::uint32_t, 4> index{};

@@ -49,24 +49,44 @@ std::optional<double> distance_over(const CoreCorners& a, const CoreCorners& b, 
   return {};
 }
 
-/// Of figures that do not meet.
+/// Where radii reach farther than the cores are apart: the point that divides the way between these as the radii do.
 template <class T>
-std::optional<Closest> points_over(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b,
-                                   const DifferenceCorners& corners) {
+std::optional<ToldPair> points_over(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b,
+                                    const DifferenceCorners& corners) {
   CertainSigns ask;
   const auto n = nearest_of<T>(a, b, corners, ask);
-  const T between = root(quotient(n.square, n.square_whole));
-  const T left = between - (T(radius_a) + T(radius_b));
-  if (certain_sign(left) <= 0) return {};
+  const T between = root(quotient(n.square, n.square_whole)), reach = T(radius_a) + T(radius_b);
+  const T left = between - reach;
+  const int side = certain_sign(left);
+  if (side == 0) return {};
   Vec<T> p = over(weighted_corners(a, corners, 0, n), n.whole);
   Vec<T> q = over(weighted_corners(b, corners, 1, n), n.whole);
   const Vec<T> way = q - p;
+  if (side < 0) {
+    const auto common = nearest_doubles_of(p + way * quotient(T(radius_a), reach));
+    if (!common) return {};
+    return ToldPair{{*common, *common, 0, {}, {}}, true};
+  }
   if (radius_a > 0) p = p + way * quotient(T(radius_a), between);
   if (radius_b > 0) q = q - way * quotient(T(radius_b), between);
   const auto on_a = nearest_doubles_of(p), on_b = nearest_doubles_of(q);
   const auto d = left.nearest();
   if (!on_a || !on_b || !d) return {};
-  return Closest{*on_a, *on_b, *d, {}, {}};
+  return ToldPair{{*on_a, *on_b, *d, {}, {}}, false};
+}
+
+/// Of cores that meet by the weights of corners that hold the origin.
+template <class T>
+std::optional<Point3> common_over(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b,
+                                  const ProvedCorners& proved) {
+  if (!proved.meets) {
+    const auto told = points_over<T>(a, b, radius_a, radius_b, proved.corners);
+    return told && told->meets ? std::optional(told->closest.on_a) : std::nullopt;
+  }
+  CertainSigns ask;
+  const auto n = nearest_of<T>(a, b, proved.corners, ask);
+  if (certain_sign(n.whole) == 0) return {};
+  return nearest_doubles_of(over(weighted_corners(a, proved.corners, 0, n), n.whole));
 }
 
 using Pairs = Twofold<false>;
@@ -87,23 +107,6 @@ std::optional<QuickPair> QuickPair::of(const FigureAt& a, const FigureAt& b) {
   return QuickPair(*p, *q, radius_a, radius_b, *proved);
 }
 
-std::optional<QuickPair> QuickPair::of(const PosedView& a, const PosedView& b) {
-  for (const PosedView* v : {&a, &b}) {
-    const bool may_be_concave = is_one_of(v->figure.kind, {FigureKind::quadrilateral, FigureKind::polygon});
-    if (v->figure.dimension == 2 || may_be_concave || !is_rigid(v->pose)) return {};
-    if (!with_figure(v->figure, [](const auto& s) { return is_sound(s); })) return {};
-  }
-  const double radius_a = radius_of(a.figure), radius_b = radius_of(b.figure);
-  if (!(radius_a >= 0 && radius_b >= 0 && radius_a + radius_b < Ball::infinity)) return {};
-  auto p = CoreCorners::of(BodyView{.figure = a.figure, .pose = a.pose}),
-       q = CoreCorners::of(BodyView{.figure = b.figure, .pose = b.pose});
-  if (!p || !q || !p->is_finite() || !q->is_finite()) return {};
-  bring_to_one_weight(*p, *q);
-  const auto proved = proved_nearest(*p, *q);
-  if (!proved) return {};
-  return QuickPair(*p, *q, radius_a, radius_b, *proved);
-}
-
 std::optional<double> QuickPair::distance() const {
   if (proved_.meets) return 0;
   if (const auto d = distance_over<Pairs>(a_, b_, radius_a_, radius_b_, proved_.corners)) return d;
@@ -118,9 +121,12 @@ mpq_class QuickPair::square() const {
   return quotient_of(n.square, n.square_whole * (scale * scale));
 }
 
-std::optional<NearestPair> QuickPair::pair() const {
-  if (proved_.meets || !proved_.is_alone) return {};
-  return any_pair();
+std::optional<ToldPair> QuickPair::common() const {
+  auto p = common_over<Pairs>(a_, b_, radius_a_, radius_b_, proved_);
+  if (!p) p = common_over<Ball>(a_, b_, radius_a_, radius_b_, proved_);
+  if (!p) return {};
+  constexpr Feature interior{FeatureKind::interior, 0};
+  return ToldPair{{*p, *p, 0, interior, interior}, true};
 }
 
 NearestPair QuickPair::any_pair() const {
@@ -134,20 +140,15 @@ NearestPair QuickPair::any_pair() const {
   return {place(a_, 0), place(b_, 1), quotient_of(n.square, n.square_whole * (scale * scale)), true};
 }
 
-std::optional<Closest> QuickPair::closest(const FigureView& a, const FigureView& b) const {
+std::optional<ToldPair> QuickPair::closest(const Feature& feature_a, const Feature& feature_b) const {
   if (proved_.meets || !proved_.is_alone) return {};
-  const auto feature_a = feature_of_corners(a, a_, named(proved_.corners, 0).all(), proved_.a);
-  const auto feature_b = feature_of_corners(b, b_, named(proved_.corners, 1).all(), proved_.b);
-  if (!feature_a || !feature_b) return {};
-  return closest(*feature_a, *feature_b);
-}
-
-std::optional<Closest> QuickPair::closest(const Feature& feature_a, const Feature& feature_b) const {
-  if (proved_.meets || !proved_.is_alone) return {};
-  auto c = points_over<Pairs>(a_, b_, radius_a_, radius_b_, proved_.corners);
-  if (!c) c = points_over<Ball>(a_, b_, radius_a_, radius_b_, proved_.corners);
-  if (c) c->feature_a = feature_a, c->feature_b = feature_b;
-  return c;
+  auto told = points_over<Pairs>(a_, b_, radius_a_, radius_b_, proved_.corners);
+  if (!told) told = points_over<Ball>(a_, b_, radius_a_, radius_b_, proved_.corners);
+  if (!told) return {};
+  constexpr Feature interior{FeatureKind::interior, 0};
+  told->closest.feature_a = told->meets && radius_a_ > 0 ? interior : feature_a;
+  told->closest.feature_b = told->meets && radius_b_ > 0 ? interior : feature_b;
+  return told;
 }
 
 }  // namespace plumb::query

@@ -12,11 +12,14 @@
 
 namespace plumb::query {
 
+struct ToldPair {
+  Closest closest;
+  bool meets;  // by more than a point
+};
+
 class QuickPair {
  public:
   static std::optional<QuickPair> of(const FigureAt& a, const FigureAt& b);
-  /// Under poses that are rigid, or as they stand; of polygons nothing.
-  static std::optional<QuickPair> of(const PosedView& a, const PosedView& b);
   /// Of cores whose corners are proved, and the radii around them.
   QuickPair(const CoreCorners& a, const CoreCorners& b, double radius_a, double radius_b, const ProvedCorners& proved)
       : a_(a), b_(b), radius_a_(radius_a), radius_b_(radius_b), proved_(proved) {}
@@ -24,11 +27,10 @@ class QuickPair {
   [[nodiscard]] std::optional<double> distance() const;
   /// Of the cores.
   [[nodiscard]] mpq_class square() const;
-  /// Of figures that do not meet; where there is another nearest pair, nothing.
-  [[nodiscard]] std::optional<Closest> closest(const FigureView& a, const FigureView& b) const;
-  [[nodiscard]] std::optional<Closest> closest(const Feature& feature_a, const Feature& feature_b) const;
-  /// Where there is no other; of cores that do not meet.
-  [[nodiscard]] std::optional<NearestPair> pair() const;
+  /// Of figures whose cores do not meet, and that do not touch; where there is another nearest pair, nothing.
+  [[nodiscard]] std::optional<ToldPair> closest(const Feature& feature_a, const Feature& feature_b) const;
+  /// A point of both, where the cores meet or the radii reach farther than these are apart; no features.
+  [[nodiscard]] std::optional<ToldPair> common() const;
   /// One of them, also of cores that meet.
   [[nodiscard]] NearestPair any_pair() const;
 

@@ -57,7 +57,7 @@ mpq_class both_radii(const FigureView& a, const FigureView& b) {
 
 }  // namespace
 
-Closest closest_points_of(const FigureView& a, const FigureView& b) {
+Closest closest_points_of(const FigureView& a, const FigureView& b, WhichPair common) {
   if (const auto f = facing_points(a, b)) {
     const auto feature = [&](const Aabb3& box, const Point3& p) {
       return a.dimension == 2 ? of_flat_box(voronoi_region(box, p)) : voronoi_region(box, p);
@@ -65,14 +65,8 @@ Closest closest_points_of(const FigureView& a, const FigureView& b) {
     return {told(f->on_a), told(f->on_b), distance(f->on_a, f->on_b), feature(f->a, f->on_a), feature(f->b, f->on_b)};
   }
   if (const auto c = closest_of_sums({a}, {b})) return *c;
-  if (const auto c = closest_by_search(a, b)) return *c;
-  std::optional<NearestPair> known;
-  if (const auto quick = QuickPair::of(a, b)) {
-    if (const auto c = quick->closest(a, b)) return *c;
-    known = quick->pair();
-  }
-  const NearestPair pair = known ? std::move(*known) : sound_pair("closest_points", a, b, WhichPair::first);
-  return told_pair(pair, {a, radius_of(a)}, {b, radius_of(b)});
+  if (const auto c = closest_by_search({a}, {b}, common)) return *c;
+  return told_pair(sound_pair("closest_points", a, b, WhichPair::first), {a, radius_of(a)}, {b, radius_of(b)});
 }
 
 double distance_at(const FigureAt& a, const FigureAt& b, std::string_view function) {
@@ -87,7 +81,7 @@ double distance_at(const FigureAt& a, const FigureAt& b, std::string_view functi
 double distance_of(const FigureView& a, const FigureView& b, Question question) {
   if (const auto f = facing_points(a, b)) return distance(f->on_a, f->on_b);
   if (const auto d = distance_of_sums({a}, {b})) return *d;
-  if (const auto d = distance_by_search(a, b)) return *d;
+  if (const auto d = distance_by_search({a}, {b})) return *d;
   return distance_at(a, b, name_of(question));
 }
 

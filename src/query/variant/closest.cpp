@@ -19,7 +19,7 @@ Closest closest_of_posed(const PosedView& a, const PosedView& b) {
   const auto point = [](const PosedView& v) { return *static_cast<const Point3*>(v.figure.shape); };
   if (is_point(a) && triangle_b) return posed_closest_points(point(a), *triangle_b);
   if (triangle_a && is_point(b)) return swapped(posed_closest_points(point(b), *triangle_a));
-  return posed_closest_points(a, b);
+  return posed_closest_points(a, b, WhichPair::any);
 }
 
 }  // namespace

@@ -29,7 +29,13 @@ Closest in_space(const Closest2& c) {
 }
 template <class A, class B>
 Closest closest_points_of(const void* a, const void* b) {
-  return in_space(closest_points(*static_cast<const A*>(a), *static_cast<const B*>(b)));
+  const auto& p = *static_cast<const A*>(a);
+  const auto& q = *static_cast<const B*>(b);
+  if constexpr (requires { closest_points(p, q, WhichPair::first); }) {
+    return in_space(closest_points(p, q, WhichPair::first));
+  } else {
+    return in_space(closest_points(p, q));
+  }
 }
 
 template <class A, class B>

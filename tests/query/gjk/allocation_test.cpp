@@ -6,6 +6,8 @@
 #include "plumb/degenerate.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "plumb/query/gjk/gjk.hpp"
+#include "plumb/query/overlap/overlap.hpp"
+#include "plumb/query/overlap/posed.hpp"
 
 namespace plumb {
 namespace {
@@ -67,6 +69,38 @@ TEST(GjkAllocations, AreNoneWhereDoublesDecide) {
               0U)
         << n;
   }
+}
+
+/// Of whatever is asked, as it stands and under rigid poses.
+template <class A, class B>
+std::size_t allocating_pair(const A& a, const B& b) {
+  const RigidPose stays{{1, 0, 0, 0}, {0.125, 0.25, 0.375}};
+  std::size_t told = 0;
+  const std::size_t some = allocating(64, [&](std::size_t i) {
+    const double by = static_cast<double>(i) / 16;
+    const RigidPose goes{{3, 1, 0.5, 0.25}, {by, by / 2, 0.0625}};
+    const Posed p{a, stays}, q{b, goes};
+    told += (intersects(a, b) ? 1 : 0) + (relate(a, b) != Relation::disjoint ? 1 : 0) + (gjk_intersects(a, b) ? 1 : 0);
+    told += (intersects(p, q) ? 1 : 0) + (relate(p, q) != Relation::disjoint ? 1 : 0) + (gjk_intersects(p, q) ? 1 : 0);
+  });
+  EXPECT_GT(told, 0U);
+  return some;
+}
+TEST(GjkAllocations, AreNoneOfAnyPairThatDoublesDecide) {
+  Entropy entropy(79, 1);
+  const ConvexPolyhedron3 solid = ball_of(32, {0, 0, 0}, entropy), other = ball_of(32, {0.5, 0.25, 0.125}, entropy);
+  const Capsule3 capsule{{0.75, 0.0625, 0.375}, {1.5, 1.25, 0.25}, 0.25};
+  const Lozenge3 lozenge{{0.125, 0.375, 0.25}, {Vector3{1, 0.25, 0}, Vector3{0, 0.5, 1.25}}, 0.125};
+  const Sphere3 ball{{0.5, 0.625, 0.25}, 0.5};
+  const Tetrahedron3 tetrahedron{{0, 0, 0}, {1, 0.25, 0}, {0, 1.5, 0.125}, {0.25, 0.375, 1.25}};
+  EXPECT_EQ(allocating_pair(solid, other), 0U);
+  EXPECT_EQ(allocating_pair(capsule, solid), 0U);
+  EXPECT_EQ(allocating_pair(lozenge, solid), 0U);
+  EXPECT_EQ(allocating_pair(ball, solid), 0U);
+  EXPECT_EQ(allocating_pair(tetrahedron, capsule), 0U);
+  EXPECT_EQ(allocating_pair(tetrahedron, lozenge), 0U);
+  EXPECT_EQ(allocating_pair(tetrahedron, tetrahedron), 0U);
+  EXPECT_EQ(allocating_pair(capsule, lozenge), 0U);
 }
 
 /// In motion, by a cache that is kept.

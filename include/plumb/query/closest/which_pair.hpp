@@ -1,6 +1,6 @@
 // Closest points: which of several closest pairs is told?
 //
-//   gjk(a, b, {.pair = WhichPair::first})
+//   gjk(a, b, {.pair = WhichPair::first})      closest_points(a, b, WhichPair::first)
 //
 // Law: `first` is the one that comes first in lexicographic order of coordinates, as query/separation/separation.hpp says;
 // `any` is one of them, and the same for the same input.
