@@ -2,22 +2,13 @@
 
 #include <algorithm>
 
+#include "query/penetration/cached_guess.hpp"
 #include "query/penetration/quick_axis.hpp"
 #include "query/separation/corner_search.hpp"
 #include "query/separation/proved_corners.hpp"
 
 namespace plumb::query::touching {
 namespace {
-
-/// None that these bodies have not.
-DifferenceCorners guess_of(const Difference& d, const ContactCache* cache) {
-  DifferenceCorners guess;
-  for (std::uint32_t i = 0; cache != nullptr && i < cache->size && i < cache->corners.size(); ++i) {
-    const Ends& e = cache->corners[i];
-    if (e[0] < d.a.size() && e[1] < d.b.size()) guess.add(e);
-  }
-  return guess;
-}
 
 /// From a guess on, of which three corners start the search: it ends where there are four.
 parting::CoreDistance core_distance(const Difference& d, DifferenceCorners guess) {
@@ -31,6 +22,7 @@ parting::CoreDistance core_distance(const Difference& d, DifferenceCorners guess
   return parting::core_distance(d);
 }
 
+Aim aim_of(const parting::Parting& p) { return {p.way, p.way.from(), p.cores_are_apart, {}, p.level}; }
 Aim aim_of(const parting::SumParting& s) {
   const bool are_apart = s.known == parting::SumParting::Known::apart;
   return {s.parting->way, {s.level[0].first, s.level[1].first}, are_apart, s.level, {}, !are_apart, s.is_widest};
@@ -61,13 +53,15 @@ Aim aim_at(const Difference& d, Guess guess, ContactCache* cache) {
       return aim_of(s);
     }
   }
-  const parting::CoreDistance core = core_distance(d, guess_of(d, cache));
-  if (cache != nullptr) {
-    cache->size = static_cast<std::uint32_t>(core.nearest.size);
-    cache->corners = core.nearest.ends;
+  const DifferenceCorners before = parting::guess_of(d, cache);
+  std::optional<parting::Parting> p = parting::parted_as_before(d, before);
+  if (!p) {
+    const parting::CoreDistance core = core_distance(d, before);
+    parting::keep(cache, core.nearest);
+    p = parting::parted_from(d, core);
   }
-  const parting::Parting p = parting::parted_from(d, core);
-  return {p.way, p.way.from(), p.cores_are_apart, {}, p.level};
+  parting::keep(cache, d, *p);
+  return aim_of(*p);
 }
 
 }  // namespace plumb::query::touching

@@ -7,6 +7,8 @@
 // Cost: a sign for each vertex of one and each edge of the other.
 #pragma once
 
+#include <vector>
+
 #include "query/contact/facing.hpp"
 
 namespace plumb::query::touching {
@@ -21,39 +23,82 @@ struct Found {
 };
 using FoundCorners = parting::ShortList<Found, 16>;
 
-/// A feature over a number type, seen along the direction that leads out of its body; computed where it is asked for.
+/// Some values, each computed when it is first asked for: many a number type has no default.
+template <class T>
+class Once {
+ public:
+  explicit Once(std::size_t size) {
+    if (size > few_.size()) many_.resize(size);
+  }
+  template <class Make>
+  const T& operator()(std::size_t i, const Make& make) {
+    std::optional<T>& value = slot(i);
+    if (!value) value.emplace(make());
+    return *value;
+  }
+  /// What was asked for before.
+  [[nodiscard]] const T& operator[](std::size_t i) const { return *(many_.empty() ? few_[i] : many_[i]); }
+
+ private:
+  [[nodiscard]] std::optional<T>& slot(std::size_t i) { return many_.empty() ? few_[i] : many_[i]; }
+
+  std::array<std::optional<T>, 8> few_;
+  std::vector<std::optional<T>> many_;
+};
+
+/// A feature over a number type, seen along the direction that leads out of its body.  What is cheap is computed at once, so
+// that there is one place in the code that does it; else where it is asked for.
 template <class T>
 class View {
  public:
   const Seen& seen;
   const Facing& f;
 
-  View(const Seen& s, const Facing& facing) : seen(s), f(facing), is_side_(s.core.is_sum() && size() == 4) {
-    for (std::size_t i = 0; i < size(); ++i) places_.push_back({});
-    for (std::size_t i = 0; i < edges(); ++i) ways_.push_back({});
+  View(const Seen& s, const Facing& facing)
+      : seen(s), f(facing), is_side_(s.core.is_sum() && size() == 4), places_(size()), ways_(edges()) {
+    if constexpr (is_cheap) {
+      for (std::size_t i = 0; i < size(); ++i) {
+        if (is_side_ && i < 2) ways_(i, [&] { return edge_between(i, i + 1); });
+        if (is_side_ && i > 1) ways_(i, [&] { return Vec<T>{-ways_[i - 2].x, -ways_[i - 2].y, -ways_[i - 2].z}; });
+        places_(i, [&] { return is_side_ && i > 0 ? places_[i - 1] + ways_[i - 1] : place(i); });
+      }
+      for (std::size_t i = 0; i < edges() && !is_side_; ++i) ways_(i, [&] { return places_[next(i)] - places_[i]; });
+    }
   }
   [[nodiscard]] std::size_t size() const { return f.corners.size(); }
   /// Is it the side of a box, a parallelogram?
   [[nodiscard]] bool is_side() const { return is_side_; }
   [[nodiscard]] const Vec<T>& at(std::size_t i) const {
-    std::optional<Vec<T>>& place = places_.begin()[i];
-    // Of running errors a sign is all that is asked; along the edges there are fewer of them to be computed.
-    const bool by_edges = std::is_same_v<T, Running> && is_side_ && i > 0 && !seen.core.is_aligned();
-    if (!place) place = by_edges ? at(i == 3 ? 0 : i - 1) + edge(i == 3 ? 1 : i - 1) : seen.core.at<T>(f.corners[i]);
-    return *place;
+    if constexpr (is_cheap) {
+      return places_[i];
+    } else {
+      return places_(i, [&]() -> Vec<T> {
+        if (!is_side_ || i == 0 || seen.core.is_aligned()) return place(i);
+        return at(i == 3 ? 0 : i - 1) + edge(i == 3 ? 1 : i - 1);  // which is less to be computed
+      });
+    }
   }
   [[nodiscard]] std::size_t edges() const { return f.edges.size(); }
   [[nodiscard]] const Vec<T>& edge(std::size_t i) const {
-    std::optional<Vec<T>>& way = ways_.begin()[i];
-    const std::size_t next = i + 1 == size() ? 0 : i + 1;
-    if (!way) way = is_side_ ? parting::between<T>(seen.core, f.corners[i], f.corners[next]) : at(next) - at(i);
-    return *way;
+    if constexpr (is_cheap) {
+      return ways_[i];
+    } else {
+      return ways_(i, [&] { return is_side_ ? edge_between(i, next(i)) : at(next(i)) - at(i); });
+    }
   }
   [[nodiscard]] Feature vertex(std::size_t i) const { return surface_feature(seen, FeatureKind::vertex, f.corners[i]); }
 
  private:
+  static constexpr bool is_cheap = requires(const T& x) { x.magnitude; };
+
+  [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  [[nodiscard]] Vec<T> place(std::size_t i) const { return parting::corner_of<T>(seen.core, f.corners[i]); }
+  [[nodiscard]] Vec<T> edge_between(std::size_t i, std::size_t k) const {
+    return parting::between<T>(seen.core, f.corners[i], f.corners[k]);
+  }
+
   bool is_side_;
-  mutable parting::ShortList<std::optional<Vec<T>>, 8> places_{}, ways_{};  // many a number type has no default
+  mutable Once<Vec<T>> places_, ways_;
 };
 
 /// On which side of each edge of one feature is each vertex of another?  Of a segment its two ends are lines, too.

@@ -29,35 +29,16 @@ bool match(const Pair& pair, Matched& m) {
 }
 Matched matched(const Pair& pair) {
   Matched m{{pair.seen(0), pair.seen(1)}, {}, {}};
-  if (!match<Running>(pair, m) && !match<Ball>(pair, m)) (void)match<BigDyadic>(pair, m);
+  if (!match<Approximate>(pair, m) && !match<Running>(pair, m) && !match<Ball>(pair, m))
+    (void)match<BigDyadic>(pair, m);
   std::sort(m.corners.begin(), m.corners.end(), [](const Found& p, const Found& q) { return p.id < q.id; });
   return m;
 }
 
 /// Has a corner two points that are both as far as any, so that they are nearest?
 bool has_nearest(const Matched& m) {
-  const auto is_level = [&](std::size_t body, std::size_t i) {
-    const Seen& s = m.seen[body];
-    return (m.facing[body].corners[i] & ~s.level->free) == s.level->first;
-  };
-  const auto is_all_level = [&](std::size_t body) {
-    bool all = true;
-    for (std::size_t i = 0; i < m.facing[body].corners.size(); ++i) all = all && is_level(body, i);
-    return all;
-  };
-  const auto is_edge_level = [&](std::size_t body, std::size_t i) {
-    return is_level(body, i) && is_level(body, i + 1 == m.facing[body].corners.size() ? 0 : i + 1);
-  };
-  for (const Found& f : m.corners) {
-    const bool of_a = f.kind == CornerKind::vertex_of_b ? is_all_level(0)
-                      : f.kind == CornerKind::edges     ? is_edge_level(0, f.i)
-                                                        : is_level(0, f.i);
-    const bool of_b = f.kind == CornerKind::vertex_of_a ? is_all_level(1)
-                      : f.kind == CornerKind::edges     ? is_edge_level(1, f.j)
-                                                        : is_level(1, f.j);
-    if (of_a && of_b) return true;
-  }
-  return false;
+  const LevelParts level(m);
+  return std::ranges::any_of(m.corners, [&](const Found& f) { return level.has(f); });
 }
 
 /// The sign of height / whole * |normal| - limit, whole and limit not below zero.
@@ -145,8 +126,9 @@ class ExactNumbers3 {
 }
 
 /// Those that are near, by pairs of doubles and else by integers.
-void tell_corners(const Pair& pair, const QuickNumbers& quick, const Matched& m, ContactCorners& to) {
-  QuickCorners corners = quick.corners(m);
+void tell_corners(const Pair& pair, const QuickNumbers& quick, const Whole& whole, const Matched& m,
+                  ContactCorners& to) {
+  QuickCorners corners = quick.corners(m, whole);
   const auto is_told = [](const auto& corner) { return corner.has_value(); };
   if (!std::ranges::all_of(corners, is_told)) tell_exactly(pair, m, corners);
   for (const auto& corner : corners) {
@@ -205,7 +187,7 @@ std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, 
     if (!pair.is_proved() && !has_nearest(match)) return false;
     m.emplace();
     m->relation = whole->relation, m->normal = whole->normal, m->distance = whole->distance;
-    tell_corners(pair, quick, match, m->corners);
+    tell_corners(pair, quick, *whole, match, m->corners);
     return true;
   };
   while (!answer()) pair.aim_again(cache);

@@ -6,6 +6,7 @@
 // Cost: that of the aim.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 
 #include "query/contact/clipped_features.hpp"
@@ -110,6 +111,43 @@ struct Matched {
   std::array<Seen, 2> seen;
   std::array<Facing, 2> facing;
   FoundCorners corners;
+};
+
+/// Which parts of the features are as far as anything of their bodies, as far as that is known?
+class LevelParts {
+ public:
+  explicit LevelParts(const Matched& m) : m_(m), are_all_{are_all(0), are_all(1)} {}
+
+  /// Are both of a corner's points such, so that they are nearest, and as far apart as the bodies?
+  [[nodiscard]] bool has(const Found& f) const {
+    const bool of_a = f.kind == CornerKind::vertex_of_b ? are_all_[0]
+                      : f.kind == CornerKind::edges     ? has_edge(0, f.i)
+                                                        : has_corner(0, f.i);
+    const bool of_b = f.kind == CornerKind::vertex_of_a ? are_all_[1]
+                      : f.kind == CornerKind::edges     ? has_edge(1, f.j)
+                                                        : has_corner(1, f.j);
+    return of_a && of_b;
+  }
+
+ private:
+  [[nodiscard]] bool has_corner(std::size_t body, std::size_t i) const {
+    const Seen& s = m_.seen[body];
+    const Index corner = m_.facing[body].corners[i];
+    if (s.level != nullptr) return (corner & ~s.level->free) == s.level->first;
+    return corner == s.at || s.known.has(corner) ||
+           (s.all != nullptr && std::ranges::find(*s.all, corner) != s.all->end());
+  }
+  [[nodiscard]] bool has_edge(std::size_t body, std::size_t i) const {
+    return has_corner(body, i) && has_corner(body, i + 1 == m_.facing[body].corners.size() ? 0 : i + 1);
+  }
+  [[nodiscard]] bool are_all(std::size_t body) const {
+    bool all = true;
+    for (std::size_t i = 0; i < m_.facing[body].corners.size(); ++i) all = all && has_corner(body, i);
+    return all;
+  }
+
+  const Matched& m_;
+  std::array<bool, 2> are_all_;
 };
 
 }  // namespace plumb::query::touching

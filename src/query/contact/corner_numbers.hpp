@@ -28,6 +28,12 @@ struct CornerFractions {
   T whole, height;  // from a to b it is height / whole normals
 };
 
+/// How far a corner's points are apart: height / whole normals.
+template <class T>
+struct Gap {
+  T height, whole;
+};
+
 /// A normal of the plane of a feature that is a face, an edge or a vertex, `normal` that of the contact.
 template <class T>
 Vec<T> plane_normal(const View<T>& v, const Vec<T>& normal) {
@@ -56,10 +62,11 @@ int axis_along(const Vec<T>& v) {
 template <class T>
 class CornerPlaces {
  public:
-  CornerPlaces(const View<T>& a, const View<T>& b, const Vec<T>& normal) : a_(a), b_(b), normal_(normal) {
-    for (std::size_t i = 0; i < a.edges(); ++i) across_a_.push_back({});
-    for (std::size_t i = 0; i < b.edges(); ++i) across_b_.push_back({});
-  }
+  CornerPlaces(const View<T>& a, const View<T>& b, const Vec<T>& normal)
+      : a_(a), b_(b), normal_(normal), across_a_(a.edges()), across_b_(b.edges()) {}
+
+  [[nodiscard]] const View<T>& view_of_a() const { return a_; }
+  [[nodiscard]] const View<T>& view_of_b() const { return b_; }
 
   [[nodiscard]] CornerFractions<T> of(const Found& f) const {
     const T none(0.0);
@@ -80,12 +87,29 @@ class CornerPlaces {
       return {{p, normal_, none}, {p, normal_, height, plane.axis, &b_.at(0)}, plane.along, height};
     }
     const Vec<T>&p = a_.at(f.i), &q = b_.at(f.j), &e = a_.edge(f.i), &g = b_.edge(f.j);
-    const Vec<T>&across_e = across(e, across_a_.begin()[f.i]), &across_g = across(g, across_b_.begin()[f.j]);
+    const Vec<T>&across_e = across(e, f.i, across_a_), &across_g = across(g, f.j, across_b_);
     const Vec<T> way = q - p;
     return {{p, e, sparse_dot(across_g, way)},
             {q, g, sparse_dot(across_e, way)},
             sparse_dot(e, across_g),
             sparse_dot(sparse_cross(e, g), way)};
+  }
+
+  /// These numbers of it alone.
+  [[nodiscard]] Gap<T> gap(const Found& f) const {
+    if (f.kind == CornerKind::both_vertices) {
+      return {sparse_dot(normal_, b_.at(f.j) - a_.at(f.i)), sparse_dot(normal_, normal_)};
+    }
+    if (f.kind == CornerKind::vertex_of_b) {
+      const Plane& plane = plane_of(a_, plane_a_);
+      return {sparse_dot(plane.normal, b_.at(f.j) - a_.at(0)), plane.along};
+    }
+    if (f.kind == CornerKind::vertex_of_a) {
+      const Plane& plane = plane_of(b_, plane_b_);
+      return {sparse_dot(plane.normal, b_.at(0) - a_.at(f.i)), plane.along};
+    }
+    const Vec<T> m = sparse_cross(a_.edge(f.i), b_.edge(f.j));
+    return {sparse_dot(m, b_.at(f.j) - a_.at(f.i)), sparse_dot(m, normal_)};
   }
 
  private:
@@ -104,16 +128,15 @@ class CornerPlaces {
     return *plane;
   }
 
-  const Vec<T>& across(const Vec<T>& edge, std::optional<Vec<T>>& to) const {
-    if (!to) to = sparse_cross(edge, normal_);
-    return *to;
+  const Vec<T>& across(const Vec<T>& edge, std::size_t i, Once<Vec<T>>& to) const {
+    return to(i, [&] { return sparse_cross(edge, normal_); });
   }
 
   const View<T>&a_, &b_;
   Vec<T> normal_;
   // When first asked for.
   mutable std::optional<Plane> plane_a_, plane_b_;
-  mutable parting::ShortList<std::optional<Vec<T>>, 8> across_a_{}, across_b_{};  // edges and the normal
+  mutable Once<Vec<T>> across_a_, across_b_;  // edges and the normal
 };
 
 }  // namespace plumb::query::touching

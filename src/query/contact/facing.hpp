@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "arith/approximate.hpp"
 #include "arith/certain.hpp"
 #include "arith/sparse_vec.hpp"
 #include "query/body/weighted_pose.hpp"
@@ -132,9 +133,10 @@ class FacingSearch {
     const Sign order = ask(n.along_square * best.square - best.along_square * n.square);
     return ask.certain() && order == Sign::negative;
   }
-  static constexpr bool can_guess = std::is_same_v<T, Running> || std::is_same_v<T, Ball>;
+  static constexpr bool can_guess =
+      std::is_same_v<T, Approximate> || std::is_same_v<T, Running> || std::is_same_v<T, Ball>;
   static double rough(const T& x) {
-    if constexpr (std::is_same_v<T, Running>) {
+    if constexpr (requires { x.value; }) {
       return x.value;
     } else {
       return x.high;

@@ -1,147 +1,148 @@
 #include "query/contact/quick_numbers.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "arith/leading_digits.hpp"
-#include "query/contact/corner_numbers.hpp"
+#include "certify/fused.hpp"
 
 namespace plumb::query::touching {
 namespace {
-
-/// A list of numbers, each rounded once.
-class Told {
- public:
-  double operator()(const Ball& x) {
-    const auto nearest = x.nearest();
-    all_ = all_ && nearest;
-    return nearest.value_or(0);
-  }
-  [[nodiscard]] bool all() const { return all_; }
-
- private:
-  bool all_ = true;
-};
-
-std::optional<Sign> sign_where_certain(const Ball& x) {
-  const Unsure<Sign> s = x.sign();
-  if (!s.certain()) return {};
-  return s.value();
-}
-
-bool is_one(const Ball& x) { return x.high == 1 && x.low == 0 && x.radius == 0; }
-Ball times(const Ball& x, const Ball& by) { return is_one(by) ? x : x * by; }
-Ball over(const Ball& x, const Ball& by) { return is_one(by) ? x : quotient(x, by); }
-
-template <class V>
-auto& part(V& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
 
 /// What pairs of doubles tell too little of, by integers of just the width; nothing where these do not hold it.
 template <class Of>
 std::optional<Ball> by_integers(const Of& of) {
   StackDyadic::clear_range();
   const Ball leading = arith::leading_digits(of());
-  if (StackDyadic::left_range()) return {};
+  if (StackDyadic::left_range() || !(leading.radius < Ball::infinity)) return {};
   return leading;
 }
-bool is_rough(const Ball& x) { return !(x.radius <= Ball::size(x.high) * 0x1p-70); }  // a guess
+
+/// What a ball knows; its error is that many times 2^-106 of its size.
+template <class T>
+T number_of(const Ball& x) {
+  if constexpr (std::is_same_v<T, Ball>) {
+    return x;
+  } else {
+    const double size = magnitude_of(x.high);
+    if (size == 0) return x.radius == 0 ? T(0.0) : T(std::numeric_limits<double>::quiet_NaN());
+    return T(x.high, x.low, size, x.radius / size * 0x1p106 * (1 + T::slack), 1);
+  }
+}
+
+template <class T>
+[[gnu::always_inline]] inline std::optional<Whole> whole_over(const Pair& p, Open& open, const Ball* height) {
+  const ToldNumbers<T> numbers(p);
+  return numbers.whole(height == nullptr ? numbers.height() : number_of<T>(*height), open);
+}
+PLUMB_WITH_FMA std::optional<Whole> whole_fused(const Pair& p, Open& open, const Ball* height) {
+  return whole_over<parting::FusedPair>(p, open, height);
+}
+
+/// What is told of the corners so far, and what is known of those that are not.
+struct CornersSoFar {
+  QuickCorners told;
+  parting::ShortList<Open, 16> open;
+  parting::ShortList<std::optional<Gap<Ball>>, 16> gap;  // by integers
+
+  explicit CornersSoFar(std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) told.push_back({}), open.push_back(Open::place), gap.push_back({});
+  }
+  [[nodiscard]] bool are_told() const {
+    return std::ranges::all_of(told, [](const auto& c) { return c.has_value(); });
+  }
+};
+
+template <class T>
+[[gnu::always_inline]] inline void corners_over(const Pair& p, const Matched& m, const Whole& whole, CornersSoFar& to) {
+  const ToldNumbers<T> numbers(p);
+  const View<T> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
+  const CornerPlaces<T> places(a, b, numbers.normal());
+  const LevelParts level(m);
+  const T none(0.0);
+  const bool do_touch = whole.relation == Relation::touching && p.radii().are_none();
+  const Vec<T> step = do_touch ? Vec<T>{none, none, none} : numbers.step(numbers.height());
+  for (std::size_t i = 0; i < m.corners.size(); ++i) {
+    std::optional<Corner>& told = to.told.begin()[i];
+    if (told) continue;
+    const Found& f = m.corners[i];
+    if (level.has(f)) {
+      told = numbers.level_corner(places, f, whole, step);
+    } else {
+      std::optional<Gap<T>> gap;
+      if (const auto& g = to.gap[i]) gap.emplace(Gap<T>{number_of<T>(g->height), number_of<T>(g->whole)});
+      told = numbers.corner(places, f, to.open.begin()[i], gap);
+    }
+  }
+}
+PLUMB_WITH_FMA void corners_fused(const Pair& p, const Matched& m, const Whole& whole, CornersSoFar& to) {
+  corners_over<parting::FusedPair>(p, m, whole, to);
+}
+/// Where a product's error is one instruction; else balls are no slower.
+void tell_by_pairs(const Pair& p, const Matched& m, const Whole& whole, CornersSoFar& to) {
+  if (has_fma) corners_fused(p, m, whole, to);
+}
+
+/// Of those whose distance is left open: by integers.  Is one known that was not?
+[[gnu::noinline]] bool find_gaps(const Pair& pair, const Matched& m, CornersSoFar& to) {
+  if (pair.difference().a.has_scale()) return false;  // times the weights of poses it is another number
+  StackDyadic::clear_range();
+  const View<StackDyadic> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
+  const CornerPlaces<StackDyadic> places(a, b, pair.normal<StackDyadic>());
+  if (StackDyadic::left_range()) return false;
+  bool is_known = false;
+  for (std::size_t i = 0; i < m.corners.size(); ++i) {
+    if (to.told[i] || to.gap[i] || to.open[i] != Open::distance) continue;
+    std::optional<Ball> whole;
+    const auto height = by_integers([&] {
+      const Gap<StackDyadic> gap = places.gap(m.corners[i]);
+      whole = arith::leading_digits(gap.whole);
+      return gap.height;
+    });
+    if (!height) return is_known;
+    to.gap.begin()[i] = Gap<Ball>{*height, *whole};
+    is_known = true;
+  }
+  return is_known;
+}
+
+/// By balls, which know zero, those that are not told yet.
+[[gnu::noinline]] void tell_by_balls(const Pair& pair, const Matched& m, CornersSoFar& to) {
+  const ToldNumbers<Ball> numbers(pair);
+  const View<Ball> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
+  const CornerPlaces<Ball> places(a, b, numbers.normal());
+  for (std::size_t i = 0; i < m.corners.size(); ++i) {
+    if (to.told[i]) continue;
+    to.told.begin()[i] = numbers.corner(places, m.corners[i], to.open.begin()[i], to.gap[i]);
+  }
+}
 
 }  // namespace
 
-QuickNumbers::QuickNumbers(const Pair& p)
-    : pair_(p),
-      normal_(p.normal<Ball>()),
-      square_(sparse_dot(normal_, normal_)),
-      length_(is_one(square_) ? square_ : root(square_)),
-      share_(over(Ball(1), length_)),
-      radii_(Ball(p.radii().given(0)) + Ball(p.radii().given(1))),
-      limit_(radii_ + Ball(p.margin())) {}
-
 std::optional<Whole> QuickNumbers::whole() const {
   if (!pair_.radii().are_doubles()) return {};
-  Ball height = pair_.height(normal_);
-  if (is_rough(height) && !pair_.difference().a.has_scale()) {  // times the weights of poses it is another number
-    height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); }).value_or(height);
-  }
-  const Ball along = times(height, share_);
-  const auto beyond = beyond_limit(height, Ball(1), along);
-  if (!beyond) return {};
-  if (*beyond) return Whole{false, Relation::disjoint, {}, 0};
-  const auto side = sign_where_certain(pair_.radii().are_none() ? height : along - radii_);
-  if (!side) return {};
-  Told told;
-  const Vec<Ball> unit = sparse_scaled(normal_, share_);
-  const Whole w{true,
-                static_cast<Relation>(-static_cast<int>(*side)),
-                {told(unit.x), told(unit.y), told(unit.z)},
-                *side == Sign::zero ? 0 : told(along - radii_)};
-  if (!told.all()) return {};
-  return w;
-}
-
-std::optional<Corner> QuickNumbers::corner(const CornerPlaces<Ball>& places, const Found& f,
-                                           const std::optional<Gap>& gap) const {
-  const CornerFractions<Ball> n = places.of(f);
-  const auto [height, whole] = gap.value_or(Gap{n.height, n.whole});
-  const Ball share = over(Ball(1), n.whole);
-  const Ball along = times(gap ? over(height, whole) : times(height, share), length_);
-  const auto beyond = beyond_limit(height, whole, along);
-  if (!beyond) return {};
-  if (*beyond) return Corner{false, {}};
-  Told told;
-  const auto at = [&](const PlaceOn<Ball>& p, double radius) {
-    Vec<Ball> x = p.base;
-    const bool is_level = p.level_axis >= 0, is_upright = is_level && p.level_axis == axis_along(p.along);
-    if (!is_upright && !certainly_zero(p.numerator)) {
-      x = sparse_sum(x, sparse_scaled(p.along, times(p.numerator, share)));
+  Open open = Open::distance;
+  std::optional<Ball> height;
+  const auto known = [&] { return height ? &*height : nullptr; };
+  const auto by_pairs = [&] { return has_fma ? whole_fused(pair_, open, known()) : std::nullopt; };
+  if (auto told = by_pairs()) return told;
+  if (open == Open::distance && !pair_.difference().a.has_scale()) {  // else it is times the weights of poses
+    height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); });
+    if (height) {
+      if (auto told = by_pairs()) return told;
     }
-    if (is_level) part(x, p.level_axis) = part(*p.level, p.level_axis);
-    if (radius != 0) x = sparse_sum(x, sparse_scaled(normal_, share_ * Ball(radius)));
-    return Point3{told(x.x), told(x.y), told(x.z)};
-  };
-  const Corner c{true,
-                 {at(n.on_a, pair_.radii().given(0)), at(n.on_b, -pair_.radii().given(1)),
-                  pair_.radii().are_none() && certainly_zero(height) ? 0 : told(along - radii_), f.id}};
-  if (!told.all()) return {};
-  return c;
-}
-
-std::optional<bool> QuickNumbers::beyond_limit(const Ball& height, const Ball& whole, const Ball& along) const {
-  const auto h = sign_where_certain(height), w = sign_where_certain(whole);
-  if (!h || !w) return {};
-  if (*h * *w != Sign::positive) return false;
-  const auto s = sign_where_certain(along - limit_);
-  if (!s) return {};
-  return *s == Sign::positive;
-}
-
-/// Of those that are not told yet heights are what pairs of doubles tell too little of.
-void QuickNumbers::tell_by_integers(const Matched& m, const CornerPlaces<Ball>& places, QuickCorners& corners) const {
-  StackDyadic::clear_range();
-  const View<StackDyadic> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
-  const CornerPlaces<StackDyadic> in_integers(a, b, pair_.normal<StackDyadic>());
-  if (StackDyadic::left_range()) return;
-  for (std::size_t i = 0; i < m.corners.size(); ++i) {
-    if (corners[i]) continue;
-    const auto height = by_integers([&] { return in_integers.of(m.corners[i]).height; });
-    const auto whole = by_integers([&] { return in_integers.of(m.corners[i]).whole; });
-    if (!height || !whole) return;
-    corners.begin()[i] = corner(places, m.corners[i], Gap{*height, *whole});
   }
+  return whole_over<Ball>(pair_, open, known());
 }
 
-QuickCorners QuickNumbers::corners(const Matched& m) const {
-  QuickCorners corners;
-  for (std::size_t i = 0; i < m.corners.size(); ++i) corners.push_back({});
-  if (!pair_.radii().are_doubles()) return corners;
-  const View<Ball> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
-  const CornerPlaces<Ball> places(a, b, normal_);
-  bool are_told = true;
-  for (std::size_t i = 0; i < m.corners.size(); ++i) {
-    corners.begin()[i] = corner(places, m.corners[i]);
-    are_told = are_told && corners[i];
-  }
-  if (!are_told && !pair_.difference().a.has_scale()) tell_by_integers(m, places, corners);
-  return corners;
+QuickCorners QuickNumbers::corners(const Matched& m, const Whole& whole) const {
+  CornersSoFar corners(m.corners.size());
+  if (!pair_.radii().are_doubles()) return corners.told;
+  tell_by_pairs(pair_, m, whole, corners);
+  if (!corners.are_told() && find_gaps(pair_, m, corners)) tell_by_pairs(pair_, m, whole, corners);
+  if (!corners.are_told()) tell_by_balls(pair_, m, corners);
+  if (!corners.are_told() && find_gaps(pair_, m, corners)) tell_by_balls(pair_, m, corners);
+  return corners.told;
 }
 
 }  // namespace plumb::query::touching

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "certify/carried_errors.hpp"
+#include "query/penetration/corners_by_pairs.hpp"
 #include "query/separation/nearest_corners.hpp"
 
 namespace plumb::query::parting {
@@ -37,8 +38,8 @@ Sign sign_of(const Value& value) {
 template <class T>
 Vec<T> between(const CoreCorners& c, std::uint32_t from, std::uint32_t to) {
   const std::uint32_t bits = from ^ to;
-  if (!c.is_sum() || !std::has_single_bit(bits)) return c.at<T>(to) - c.at<T>(from);
-  const Vec<T> edge = c.edge<T>(static_cast<std::size_t>(std::countr_zero(bits)));
+  if (!c.is_sum() || !std::has_single_bit(bits)) return corner_of<T>(c, to) - corner_of<T>(c, from);
+  const Vec<T> edge = edge_of<T>(c, static_cast<std::size_t>(std::countr_zero(bits)));
   return to > from ? edge : Vec<T>{T(0.0), T(0.0), T(0.0)} - edge;
 }
 
@@ -49,7 +50,7 @@ struct Difference {
 
   template <class T>
   [[nodiscard]] Vec<T> at(const Ends& e) const {
-    return a.at<T>(e[0]) - b.at<T>(e[1]);
+    return corner_of<T>(a, e[0]) - corner_of<T>(b, e[1]);
   }
   /// From one point to another: what both have in common takes no part in it.
   template <class T>

@@ -60,12 +60,12 @@ class EdgeSum {
     SumParts<T> p{{none, none, none, none, none, none}, none};
     std::array<bool, 6> is_begun{};
     for (const SumEdge& e : edges()) {
-      const Vec<T> v = (e.body == 0 ? of_.a : of_.b).template edge<T>(e.bit);
+      const Vec<T> v = edge_of<T>(e.body == 0 ? of_.a : of_.b, e.bit);
       Vec<T>& sum = p.group[e.group];
       sum = !is_begun[e.group] ? v : e.against ? sum - v : sum + v;
       is_begun[e.group] = true;
     }
-    p.middle = of_.a.template twice_middle<T>() - of_.b.template twice_middle<T>();
+    p.middle = twice_middle_of<T>(of_.a) - twice_middle_of<T>(of_.b);
     return p;
   }
 

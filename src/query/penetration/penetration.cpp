@@ -3,9 +3,9 @@
 #include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
 #include "plumb/arith/ball.hpp"
+#include "query/penetration/cached_guess.hpp"
 #include "query/penetration/facet_lengths.hpp"
 #include "query/penetration/flush_feature.hpp"
-#include "query/penetration/parted.hpp"
 #include "query/penetration/separating_axes.hpp"
 
 namespace plumb::query {
@@ -35,7 +35,8 @@ struct Told {
   [[nodiscard]] Difference difference() const { return {corners[0], corners[1]}; }
 };
 
-std::optional<Told> told_of(std::string_view function, const BodyView& a, const BodyView& b) {
+std::optional<Told> told_of(std::string_view function, const BodyView& a, const BodyView& b,
+                            ContactCache* cache = nullptr) {
   std::optional<mpq_class> radii;
   if (has_radius(a) || has_radius(b)) {
     const std::array<Body, 2> bodies = bodies_of(function, a, b);
@@ -53,8 +54,10 @@ std::optional<Told> told_of(std::string_view function, const BodyView& a, const 
       return Told{corners, radii, *s.parting, flush, s.overlap};
     }
   }
-  const auto parting = parted(d, radii);
+  auto parting = parted_as_before(d, guess_of(d, cache));
+  if (!parting) parting = parted(d, radii);
   if (!parting) return {};
+  keep(cache, d, *parting);
   const auto& level = parting->level;
   using Level = std::span<const std::uint32_t>;
   const FlushPair flush = level ? flush_pair(a, b, d, std::array{Level((*level)[0]), Level((*level)[1])})
@@ -134,8 +137,8 @@ Penetration exact_numbers(const Told& t) {
 
 }  // namespace
 
-std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b) {
-  const auto told = told_of("penetration", a, b);
+std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b, ContactCache* cache) {
+  const auto told = told_of("penetration", a, b, cache);
   if (!told) return {};
   if (const auto quick = quick_numbers(*told)) return quick;
   return exact_numbers(*told);

@@ -1,6 +1,7 @@
 #include "query/penetration/quick_axis.hpp"
 
 #include "arith/sparse_vec.hpp"
+#include "certify/fused.hpp"
 
 namespace plumb::query::parting {
 namespace {
@@ -34,10 +35,69 @@ struct Axis {
   }
 };
 
+enum class Asked : unsigned char { overlap, middle, along, order };
+/// What is asked of the normals of two groups each; `other`: the second one's number, or a group's.
+struct AxisQuestion {
+  Asked asked;
+  std::uint32_t i;
+  std::array<std::uint32_t, 2> of;
+  std::uint32_t other = 0;
+  std::array<std::uint32_t, 2> of_other{};
+};
+
+/// How far sums overlap along such normals, in pairs of doubles that carry a magnitude, each when it is first asked for.
+struct PairAxes {
+  using T = FusedPair;
+  struct Of {
+    Vec<T> normal;
+    T square, middle, overlap;
+  };
+
+  const EdgeSum& sum;
+  std::optional<SumParts<T>> parts{};
+  std::array<std::optional<Of>, 15> axis{};
+};
+
+/// A sign that is not zero, or 0.
+PLUMB_WITH_FMA int sign_by_pairs(PairAxes& axes, const AxisQuestion& q) {
+  using T = PairAxes::T;
+  const auto size = [](const T& x) { return x.high + x.low < 0 ? -x : x; };
+  if (!axes.parts) axes.parts.emplace(axes.sum.parts<T>());
+  const SumParts<T>& parts = *axes.parts;
+  for (const std::uint32_t i : {q.i, q.asked == Asked::order ? q.other : q.i}) {
+    if (axes.axis[i]) continue;
+    const auto& of = i == q.i ? q.of : q.of_other;
+    const Vec<T> n = arith::cross(parts.group[of[0]], parts.group[of[1]]);
+    const T middle = arith::dot(n, parts.middle);
+    T overlap = -size(middle);
+    for (std::uint32_t g = 0; g < axes.sum.groups(); ++g) {
+      if (g != of[0] && g != of[1]) overlap = overlap + size(arith::dot(n, parts.group[g]));
+    }
+    axes.axis[i].emplace(PairAxes::Of{n, arith::dot(n, n), middle, overlap});
+  }
+  const PairAxes::Of& p = *axes.axis[q.i];
+  if (q.asked == Asked::overlap) return p.overlap.certain_sign();
+  if (q.asked == Asked::middle) return p.middle.certain_sign();
+  if (q.asked == Asked::along) return arith::dot(p.normal, parts.group[q.other]).certain_sign();
+  const PairAxes::Of& r = *axes.axis[q.other];  // the order of two overlaps over the lengths of their normals
+  const int of_p = p.overlap.certain_sign(), of_r = r.overlap.certain_sign();
+  if (of_p == 0 || of_r == 0 || of_p != of_r) return of_p == 0 || of_r == 0 ? 0 : of_p;
+  return of_p * (p.overlap.squared() * r.square - r.overlap.squared() * p.square).certain_sign();
+}
+
 /// The axes of a sum by pairs of doubles, each when it is first asked for.
 class Axes {
  public:
   explicit Axes(const EdgeSum& sum) : sum_(sum) {}
+
+  [[nodiscard]] const EdgeSum& sum() const { return sum_; }
+  [[nodiscard]] bool stand() const { return sum_.difference().a.stands() && sum_.difference().b.stands(); }
+
+  /// Nothing where such pairs leave it open, as they leave zero.
+  std::optional<Sign> quick_sign(const AxisQuestion& q) {
+    const int s = has_fma ? sign_by_pairs(pairs_, q) : 0;  // without it balls are no slower
+    return s == 0 ? std::nullopt : std::optional(static_cast<Sign>(s));
+  }
 
   const SumParts<Ball>& parts() {
     if (!parts_) parts_ = sum_.parts<Ball>();
@@ -51,9 +111,32 @@ class Axes {
 
  private:
   const EdgeSum& sum_;
+  PairAxes pairs_{sum_};
   std::optional<SumParts<Ball>> parts_;
   std::array<std::optional<Axis<Ball>>, 15> axis_;
 };
+
+/// The axis of space that a normal is along by zeros.
+std::optional<int> axis_of(const Vec<Running>& n) {
+  const std::array is_zero{certainly_zero(n.x), certainly_zero(n.y), certainly_zero(n.z)};
+  for (int k = 0; k < 3; ++k) {
+    const bool is_along = is_zero[(k + 1) % 3] && is_zero[(k + 2) % 3] && !is_zero[k];
+    if (is_along && certain_sign(along_axis(n, k)) != 0) return k;
+  }
+  return {};
+}
+
+/// Of sums as they stand, whose groups lead one way each: what they overlap by along an axis of space, times two.
+Ball overlap_along(const EdgeSum& sum, int axis) {
+  const Difference& d = sum.difference();
+  const auto middle = [&](const CoreCorners& c) { return along_axis(c.twice_middle<Ball>(), axis); };
+  Ball overlap = Ball(0.0) - magnitude(middle(d.a) - middle(d.b));
+  for (const SumEdge& e : sum.edges()) {
+    const Ball length = (e.body == 0 ? d.a : d.b).length_of_edge<Ball>(e.bit, axis);
+    if (!certainly_zero(length)) overlap = overlap + length;
+  }
+  return overlap;
+}
 
 std::optional<Sign> certain(const Unsure<Sign>& s) {
   if (!s.certain()) return {};
@@ -68,21 +151,28 @@ struct Signs {
 };
 /// From running errors (`along`: of a group), and pairs of doubles where these leave a sign open; nothing where both do,
 /// or where nothing leads along the normal.
-template <class Along, class Fine>
-std::optional<Signs> signs_of(std::size_t groups, const std::array<std::uint32_t, 2>& of, const Running& overlap,
-                              const Running& middle, const Along& along, const Fine& fine, Axes& axes) {
-  const auto sign = [](const Running& rough, const auto& by_pairs) {
-    const auto s = certain(rough.sign());
-    return s ? s : certain(by_pairs().sign());
+template <class Along>
+std::optional<Signs> signs_of(std::size_t groups, std::uint32_t normal, const std::array<std::uint32_t, 2>& of,
+                              const Vec<Running>& n, const Running& overlap, const Running& middle, const Along& along,
+                              Axes& axes) {
+  const auto fine = [&]() -> const Axis<Ball>& { return axes(normal, of[0], of[1]); };
+  const auto sign = [&](const Running& rough, Asked asked, std::uint32_t k, const auto& by_balls) {
+    auto s = certain(rough.sign());
+    if (!s) s = axes.quick_sign({asked, normal, of, k});
+    return s ? s : certain(by_balls().sign());
   };
-  const auto of_overlap = sign(overlap, [&]() -> const Ball& { return fine().overlap; });
-  const auto of_middle = sign(middle, [&]() -> const Ball& { return fine().middle; });
+  auto of_overlap = certain(overlap.sign());
+  if (const auto axis = axis_of(n); !of_overlap && axis && axes.stand()) {
+    of_overlap = certain(overlap_along(axes.sum(), *axis).sign());
+  }
+  if (!of_overlap) of_overlap = sign(overlap, Asked::overlap, 0, [&]() -> const Ball& { return fine().overlap; });
+  const auto of_middle = sign(middle, Asked::middle, 0, [&]() -> const Ball& { return fine().middle; });
   if (!of_overlap || !of_middle || *of_middle == Sign::zero) return {};
   Signs told{of, *of_overlap, *of_middle};
   bool has_reach = false;
   for (std::uint32_t k = 0; k < groups; ++k) {
     if (k == of[0] || k == of[1]) continue;
-    const auto s = sign(along(k), [&] { return sparse_dot(fine().normal, axes.parts().group[k]); });
+    const auto s = sign(along(k), Asked::along, k, [&] { return sparse_dot(fine().normal, axes.parts().group[k]); });
     if (!s) return {};
     told.along[k] = *s, has_reach = has_reach || *s != Sign::zero;
   }
@@ -134,21 +224,25 @@ std::optional<Least> least_of(const Zonotope& z, Gap gap) {
     best = face.value_or(best), size = 0;
   }
   const auto fine = [&](std::uint32_t i) -> const Axis<Ball>& { return axes(i, z.pair(i)[0], z.pair(i)[1]); };
+  const auto order = [&](std::uint32_t i, std::uint32_t j) {
+    const auto s = axes.quick_sign({Asked::order, i, z.pair(i), j, z.pair(j)});
+    return s ? s : order_of(fine(i), fine(j));
+  };
   for (;;) {  // ends, for each is nearer than the one before
     const Zonotope::OfNormal& rough = z.rough(best);
     const auto signs = signs_of(
-        groups, rough.of, rough.overlap, rough.middle, [&](std::uint32_t k) { return z.rough_along(best, k); },
-        [&]() -> const Axis<Ball>& { return fine(best); }, axes);
+        groups, best, rough.of, rough.normal, rough.overlap, rough.middle,
+        [&](std::uint32_t k) { return z.rough_along(best, k); }, axes);
     if (!signs) return {};
     std::optional<std::uint32_t> nearer;
     for (std::size_t k = 0; k < size && !nearer; ++k) {
       const auto [p, q] = z.pair(near[k]);
       if (signs->along[p] == Sign::zero && signs->along[q] == Sign::zero)
         continue;  // parallel to it, or to one another
-      const auto order = order_of(fine(near[k]), fine(best));
-      if (order == Sign::negative) {
+      const auto is = order(near[k], best);
+      if (is == Sign::negative) {
         nearer = near[k];
-      } else if (order != Sign::positive && signs->overlap != Sign::negative) {
+      } else if (is != Sign::positive && signs->overlap != Sign::negative) {
         return {};
       }
     }
@@ -203,13 +297,12 @@ std::optional<SumParting> plane_across(const Difference& d, const SumFacetEdges&
   const auto p = sum.group_of(edges[0]), q = sum.group_of(edges[1]);
   if (!p || !q || *p == *q || sum.groups() < 3) return {};
   const std::array of{std::min(*p, *q), std::max(*p, *q)};
-  const SumParts<Running> parts = sum.parts<Running>();
-  const Axis<Running> rough(parts, sum.groups(), of[0], of[1]);
+  const SumParts<Approximate> parts = settled(sum.parts<Approximate>());
+  const Axis<Approximate> rough(parts, sum.groups(), of[0], of[1]);
   Axes axes(sum);
   const auto signs = signs_of(
-      sum.groups(), of, rough.overlap, rough.middle,
-      [&](std::uint32_t k) { return sparse_dot(rough.normal, parts.group[k]); },
-      [&]() -> const Axis<Ball>& { return axes(0, of[0], of[1]); }, axes);
+      sum.groups(), 0, of, running(rough.normal), running(rough.overlap), running(rough.middle),
+      [&](std::uint32_t k) { return running(sparse_dot(rough.normal, parts.group[k])); }, axes);
   if (!signs || signs->overlap != Sign::negative) return {};
   return told_of(sum, *signs);
 }

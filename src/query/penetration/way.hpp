@@ -52,6 +52,7 @@ class Way {
   /// Out through a plane before which nothing lies?
   [[nodiscard]] bool is_through_plane() const { return kind_ == Kind::plane; }
   [[nodiscard]] const std::array<Ends, 3>& facet() const { return of_; }
+  [[nodiscard]] bool is_along_axis() const { return kind_ == Kind::axis; }
   /// One of the points.
   [[nodiscard]] const Ends& from() const { return of_[0]; }
   /// Seen along it, is corner j of the other body on the line through corners i and k of this one (0 or 1)?  So it is

@@ -4,16 +4,18 @@ namespace plumb::query::parting {
 
 using arith::sparse_cross, arith::sparse_dot;
 
-Zonotope::Zonotope(const EdgeSum& sum) : sum_(sum), rough_(sum.parts<Running>()) {
+Zonotope::Zonotope(const EdgeSum& sum) : sum_(sum) {
+  const SumParts<Approximate> parts = settled(sum.parts<Approximate>());
   const auto n = static_cast<std::uint32_t>(sum.groups());
-  const auto& g = rough_.group;
+  const auto& g = parts.group;
   for (std::uint32_t i = 0; i < n; ++i) {
     for (std::uint32_t j = i + 1; j < n; ++j) {
-      const Vec<Running> normal = sparse_cross(g[i], g[j]);
-      normal_[normals_++] = {
-          {i, j}, normal, Running(), sparse_dot(normal, rough_.middle), Running(), sparse_dot(normal, normal)};
+      const Vec<Approximate> normal = sparse_cross(g[i], g[j]);
+      normal_[normals_++] = {{i, j},    running(normal),
+                             Running(), running(sparse_dot(normal, parts.middle)),
+                             Running(), running(sparse_dot(normal, normal))};
       for (std::uint32_t k = j + 1; k < n; ++k) {
-        determinant_[1U << i | 1U << j | 1U << k] = sparse_dot(normal, g[k]);
+        determinant_[1U << i | 1U << j | 1U << k] = running(sparse_dot(normal, g[k]));
       }
     }
   }
@@ -45,9 +47,10 @@ bool Zonotope::is_independent(std::uint32_t body) const {
   for (const SumEdge& e : sum_.edges()) {
     if (e.body == body) of[size++] = e.group;
   }
-  const auto& g = rough_.group;
   const auto is_not_zero = [](const Running& x) { return certain_sign(x) != 0; };
-  if (edges == 3) return is_not_zero(dot(cross(g[of[0]], g[of[1]]), g[of[2]]));
+  if (edges == 3) return is_not_zero(determinant_[1U << of[0] | 1U << of[1] | 1U << of[2]]);
+  const SumParts<Running> parts = sum_.parts<Running>();
+  const auto& g = parts.group;
   if (edges < 2) return edges == 0 || is_not_zero(dot(g[of[0]], g[of[0]]));
   const Vec<Running> n = cross(g[of[0]], g[of[1]]);
   return is_not_zero(n.x) || is_not_zero(n.y) || is_not_zero(n.z);

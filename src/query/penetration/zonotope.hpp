@@ -2,16 +2,30 @@
 //
 // Along the normal n of two groups of edges the difference reaches sum |n . g| over the other groups to both sides of
 // its middle c, everything times two; the bodies overlap by sum |n . g| - |n . c|.
-// Laws: signs are exact: running errors first, then integers; n . g of three groups is one determinant.  What is times
-// an exact zero is an exact zero in running errors.
+// Laws: signs are exact: errors of doubles first, then integers; n . g of three groups is one determinant.  What is times
+// an exact zero is an exact zero in them.
 // Source: RTCD 4.4.1, 5.2.1.
-// Cost: fifteen cross products, twenty determinants and as many products in running errors; integers are made once.
+// Cost: fifteen cross products, twenty determinants and as many products in doubles with their errors; integers are made once.
 #pragma once
 
+#include "arith/approximate.hpp"
 #include "arith/sparse_vec.hpp"
 #include "query/penetration/edge_sum.hpp"
 
 namespace plumb::query::parting {
+
+/// The same, as a number that says how far off it is.
+inline Running running(const Approximate& x) { return {x.value, x.reach()}; }
+/// What has no terms is zero, and known to be.
+inline Approximate settled(const Approximate& x) { return x.magnitude == 0 ? Approximate(0.0) : x; }
+inline SumParts<Approximate> settled(const SumParts<Approximate>& parts) {
+  const auto all = [](const Vec<Approximate>& v) -> Vec<Approximate> {
+    return {settled(v.x), settled(v.y), settled(v.z)};
+  };
+  const auto& g = parts.group;
+  return {{all(g[0]), all(g[1]), all(g[2]), all(g[3]), all(g[4]), all(g[5])}, all(parts.middle)};
+}
+inline Vec<Running> running(const Vec<Approximate>& v) { return {running(v.x), running(v.y), running(v.z)}; }
 
 class Zonotope {
  public:
@@ -68,7 +82,8 @@ class Zonotope {
   template <class T>
   [[nodiscard]] const SumParts<T>& parts() {
     if constexpr (std::is_same_v<T, Running>) {
-      return rough_;
+      if (!rough_) rough_.emplace(sum_.parts<T>());
+      return *rough_;
     } else if constexpr (std::is_same_v<T, StackDyadic>) {
       if (!short_) short_.emplace(sum_.parts<T>()), is_lost_ = StackDyadic::left_range();
       if (is_lost_) static_cast<void>(StackDyadic(std::numeric_limits<double>::quiet_NaN()));  // it leaves it again
@@ -109,7 +124,7 @@ class Zonotope {
   }
 
   const EdgeSum& sum_;
-  SumParts<Running> rough_;
+  std::optional<SumParts<Running>> rough_;
   std::optional<SumParts<StackDyadic>> short_;
   std::optional<SumParts<BigDyadic>> big_;
   bool is_lost_ = false;

@@ -12,6 +12,7 @@
 #include "plumb/query/penetration/penetration.hpp"
 #include "query/body/rigid_cases.hpp"
 #include "query/contact/facing.hpp"
+#include "query/contact/turned_box.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
 #include "query/penetration/told_checks.hpp"
@@ -263,12 +264,6 @@ TEST(Contact, OfFlushBodiesOfAGrid) {
   EXPECT_GE(std::min({counts.apart, counts.touching, counts.overlapping, counts.points, counts.several}), 40);
 }
 
-/// A box turned by some angles, whose axes are those of rounded cosines.
-Obb3 turned_box(const Point3& center, double yaw, double pitch, const Vector3& half) {
-  const double c = std::cos(yaw), s = std::sin(yaw), d = std::cos(pitch), t = std::sin(pitch);
-  return {center, {Vector3{c, 0, -s}, Vector3{s * t, d, c * t}, Vector3{s * d, -t, c * d}}, half};
-}
-
 std::vector<ContactId> ids_of(const ContactManifold& m) {
   std::vector<ContactId> ids;
   for (const ContactCorner& c : m.corners) ids.push_back(c.id);
@@ -342,35 +337,49 @@ TEST(Contact, IdsPersistAndNormalsDoNotFlip) {
   EXPECT_GT(std::min({seen[0], seen[1], seen[2]}), 0);
 }
 
-/// Boxes, as they stand and under a rigid pose, that tremble, jump, touch and part.
-TEST(Contact, ACacheOfOtherFramesChangesNothing) {
+/// What rests exactly, nearly rests, lies within or is a needle; and a box in itself.  Every number against the exact one.
+TEST(Contact, OfCratesIsExactThenRounded) {
   std::array<int, 3> seen{};
-  for (std::uint64_t i = 0; i < (battery::sanitized ? 10U : 400U); ++i) {
-    Entropy entropy(46, i);
-    const auto noise = [&](double size) { return size * (static_cast<double>(entropy.bits(53)) * 0x1p-52 - 1); };
-    const double tremor = std::ldexp(1.0, -static_cast<int>(entropy.bits(6))), turn = noise(3);
-    const Vector3 half{0.5, 0.25 + 0.25 * static_cast<double>(entropy.bits(1)), 0.5};
-    const Obb3 under = turned_box({0, 0, 0}, noise(3), i % 3 == 0 ? noise(1) : 0, {1 + noise(0.5), 0.5, 1});
-    const Vector3 up = under.axes[1];
-    ContactCache cache;
-    for (int frame = 0; frame < 6; ++frame) {
-      const double height = 0.5 + half.y + (frame == 3 ? noise(1) : noise(tremor));
-      Obb3 box = i % 2 == 0 ? turned_box({0, 0, 0}, turn + noise(tremor), noise(tremor), half) : under;
-      if (i % 2 != 0) box.half = half;  // its edges are parallel to those of the other
-      box.center = {up.x * height + noise(tremor), up.y * height, up.z * height + noise(tremor)};
-      const ContactManifoldOptions options{.margin = 0.5};
-      const auto m = contact(box, under, options, &cache);
-      EXPECT_EQ(m, contact(box, under, options)) << i << " frame " << frame;
-      if (m) ++seen[static_cast<std::size_t>(static_cast<int>(m->relation) + 1)];
-      const RigidPose pose{{1, noise(tremor), 0.25, 0}, {0.1, 0, 0}};
-      if (i % 5 == 0) {
-        const Posed posed{box, pose};
-        EXPECT_EQ(contact(posed, under, options, &cache), contact(posed, under, options)) << i << " frame " << frame;
+  int level = 0;  // corners as far apart as the bodies
+  const auto expect = [&](const auto& a, const auto& b, const std::string& about) {
+    const auto m = contact(a, b, {.margin = 0.01});
+    const auto e = exact_contact(a, b, 0.01);
+    ASSERT_EQ(m.has_value(), e.has_value()) << about;
+    if (!m) return;
+    expect_rounded(*m, *e, about);
+    ++seen[static_cast<std::size_t>(static_cast<int>(m->relation) + 1)];
+    for (const ContactCorner& c : m->corners) {
+      EXPECT_GE(c.distance, m->distance) << about;
+      level += c.distance == m->distance ? 1 : 0;
+    }
+    EXPECT_TRUE(std::ranges::any_of(m->corners, [&](const auto& c) { return c.distance == m->distance; })) << about;
+  };
+  for (const double pitch : {0.0, 0.3}) {
+    for (const Vector3& half : {Vector3{0.5, 0.5, 0.5}, Vector3{0x1p-30, 0.5, 4}, Vector3{0.5, 0, 0.5}}) {
+      for (int i = 0; i < (battery::sanitized ? 2 : 12); ++i) {
+        const Obb3 ground = turned_box({0, 0, 0}, 0, pitch, {8, 0.5, 8});
+        Obb3 crate = turned_box({0, 0, 0}, 0.3 * i, pitch, half);
+        if (i % 3 != 0) {  // about the very same axis
+          const double c = std::cos(0.3 * i), s = std::sin(0.3 * i);
+          const Vector3 u = ground.axes[0], v = ground.axes[2];
+          crate.axes = {Vector3{c * u.x - s * v.x, c * u.y - s * v.y, c * u.z - s * v.z}, ground.axes[1],
+                        Vector3{s * u.x + c * v.x, s * u.y + c * v.y, s * u.z + c * v.z}};
+        }
+        const Vector3 up = ground.axes[1];
+        for (const double lift : {0x1p-7, 0x1p-50, 0.0, -0x1p-50, -0x1p-7}) {
+          const double h = 0.5 + half.y + lift;
+          crate.center = {h * up.x, h * up.y, h * up.z};
+          const std::string about = std::to_string(pitch) + " " + std::to_string(half.x) + " crate " +
+                                    std::to_string(i) + " lift " + std::to_string(lift);
+          expect(crate, ground, about), expect(ground, crate, about + " swapped");
+          if (pitch == 0) expect(crate, Aabb3{{-8, -0.5, -8}, {8, 0.5, 8}}, about + " on an aligned one");
+        }
+        expect(crate, crate, "in itself");
       }
     }
   }
-  std::printf("apart %d, touching %d, overlapping %d\n", seen[0], seen[1], seen[2]);
-  EXPECT_GT(std::min(seen[0], seen[2]), 0);
+  std::printf("apart %d, touching %d, overlapping %d; level corners %d\n", seen[0], seen[1], seen[2], level);
+  EXPECT_GT(std::min({seen[0], seen[1], seen[2], level}), 0);
 }
 
 /// A capsule that rolls keeps its two corners, a ball its one.

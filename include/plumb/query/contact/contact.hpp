@@ -41,7 +41,7 @@
 #include "plumb/certify/exact_point.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
-#include "plumb/query/separation/convex_body.hpp"
+#include "plumb/query/penetration/penetration.hpp"
 
 namespace plumb {
 
@@ -116,14 +116,6 @@ struct ExactContact {
   Rational along;
   Rational radius_a, radius_b;
   std::vector<ExactContactCorner> corners;
-};
-
-/// What the last answer for a pair of bodies was found by.
-struct ContactCache {
-  std::array<std::array<std::uint32_t, 2>, 4> corners{};  // of the difference
-  std::uint32_t size = 0;
-  std::array<std::array<std::uint32_t, 2>, 2> edges{};  // of boxes: the body and its edge, where a plane is along both
-  bool has_edges = false;
 };
 
 struct ContactManifoldOptions {

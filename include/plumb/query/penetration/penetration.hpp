@@ -3,6 +3,7 @@
 //
 //   penetration(a, b)          if (const auto p = penetration(box, hull)) { p->depth; p->direction; p->feature_a; }
 //   exact_penetration(a, b)    the same without any rounding
+//   penetration(a, b, &cache)  the same again, from frame to frame: of polyhedra it takes less
 //
 // Two bodies are parted where a plane has one of them on each side; both may touch it, and each other.  So solids are
 // parted where their interiors do not meet, and what is left of them is touching; the depth of a triangle that crosses
@@ -21,7 +22,8 @@
 // of both changes nothing.  (6) Round bodies are their cores and a radius: while the cores overlap, the depth is that
 // of the cores and both radii, else the radii less the distance of the cores. NaN and infinity throw NonFinite, an
 // empty body, a negative radius and a polygon that is not planar and convex InvalidShape, a pose that makes no ball of
-// a ball UnevenPose, by name.
+// a ball UnevenPose, by name.  (7) A cache, which contact() takes as well, is a guess: whatever is in it, the answer is the
+// same, bit by bit.
 // Source: RTCD 9.3.8, 9.5; van den Bergen 2001 (EPA).
 // Cost: docs/measurements.md; the exact answer some microseconds more.  Bounded by n^2 log n signs for n corners of
 // both, on integers as long as the exponents' span: their difference has n^2 vertices at most.
@@ -45,6 +47,14 @@ struct Penetration {
   friend bool operator==(const Penetration&, const Penetration&) = default;
 };
 
+/// What the last answer for a pair of bodies was found by.
+struct ContactCache {
+  std::array<std::array<std::uint32_t, 2>, 4> corners{};  // of the difference
+  std::uint32_t size = 0;
+  std::array<std::array<std::uint32_t, 2>, 2> edges{};  // of boxes: the body and its edge, where a plane is along both
+  bool has_edges = false;
+};
+
 struct ExactPenetration {
   ExactVector3 direction;  // integers without a common factor
   ExactVector3
@@ -58,14 +68,14 @@ struct ExactPenetration {
 
 namespace query {
 
-std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b);
+std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b, ContactCache* cache = nullptr);
 std::optional<ExactPenetration> exact_penetration_of(const BodyView& a, const BodyView& b);
 
 }  // namespace query
 
 template <ConvexBody3 A, ConvexBody3 B>
-std::optional<Penetration> penetration(const A& a, const B& b) {
-  return query::penetration_of(query::body_view(a), query::body_view(b));
+std::optional<Penetration> penetration(const A& a, const B& b, ContactCache* cache = nullptr) {
+  return query::penetration_of(query::body_view(a), query::body_view(b), cache);
 }
 
 template <ConvexBody3 A, ConvexBody3 B>
