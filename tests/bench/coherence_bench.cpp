@@ -16,7 +16,7 @@
 #include "space/bvh/meshes.hpp"
 #include "space/closest/closest_pair_search.hpp"
 #include "space/closest/nearest_search.hpp"
-#include "space/closest/posed_closest_search.hpp"
+#include "space/closest/posed_nearest_search.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -169,16 +169,18 @@ void guessed(const std::string& name, const Search& search) {
 void add_distances(const std::shared_ptr<Scene>& apart, const std::shared_ptr<Scene>& small) {
   using space::Counted;
   guessed("closest_triangles/refitted", [=](int i, LastPair& last, Work& w) {
-    space::ClosestSearch<Counted> search(apart->moving[i], apart->still, {&w.nodes, &w.triangles});
+    space::StandingSource a(apart->moving[i]), b(apart->still);
+    space::ClosestSearch search(a, b, {}, Counted{&w.nodes, &w.triangles});
     search.guess(last.slot_a, last.slot_b);
-    const auto found = search.run();
+    const auto found = *search.run();
     last = {found.slot_a, found.slot_b};
   });
   guessed("closest_triangles/posed", [=](int i, LastPair& last, Work& w) {
-    const PosedMesh a{small->still, small->poses[i]}, b{small->still};
-    space::PosedClosestSearch<Counted> search(a, b, {&w.nodes, &w.triangles});
+    const PosedMesh mesh_a{small->still, small->poses[i]}, mesh_b{small->still};
+    space::PosedSource a(mesh_a), b(mesh_b);
+    space::ClosestSearch search(a, b, {}, Counted{&w.nodes, &w.triangles});
     search.guess(last.slot_a, last.slot_b);
-    const auto found = search.run();
+    const auto found = *search.run();
     last = {found.slot_a, found.slot_b};
   });
   guessed("closest_on_mesh/refitted", [=](int i, LastPair& last, Work& w) {

@@ -21,9 +21,9 @@
 #include <embree3/rtcore.h>
 #endif
 #ifdef PLUMB_BENCH_FCL
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
+
+#include "bench/rivals/fcl_meshes.hpp"
 #endif
 
 namespace plumb::bench {
@@ -93,18 +93,6 @@ class EmbreeBoxes {
 #endif
 
 #ifdef PLUMB_BENCH_FCL
-using FclModel = fcl::BVHModel<fcl::OBBRSS<double>>;
-std::shared_ptr<FclModel> fcl_model(const TriangleMesh& mesh) {
-  auto model = std::make_shared<FclModel>();
-  std::vector<fcl::Vector3d> vertices;
-  for (const Point3& p : mesh.vertices) vertices.emplace_back(p.x, p.y, p.z);
-  std::vector<fcl::Triangle> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
-  model->addSubModel(vertices, triangles);
-  model->endModel();
-  return model;
-}
 std::size_t fcl_pairs(const FclModel& a, const FclModel& b) {
   const fcl::Transform3d place = fcl::Transform3d::Identity();
   const fcl::CollisionRequestd request(std::size_t{1} << 30, false);
@@ -155,7 +143,9 @@ void add_mesh(std::uint32_t around) {
     add_pairs(name + "/embree_cgal", n, [=] { return boxes->pairs_with(*other_boxes); });
 #endif
 #ifdef PLUMB_BENCH_FCL
-    add_pairs(name + "/fcl", n, [model = fcl_model(*mesh), to = fcl_model(*other)] { return fcl_pairs(*model, *to); });
+    add_pairs(name + "/fcl", n, [model = std::shared_ptr(fcl_model(*mesh)), to = std::shared_ptr(fcl_model(*other))] {
+      return fcl_pairs(*model, *to);
+    });
 #endif
   }
   add_pairs("mesh_pairs/itself/" + size + "/plumb", n, [=] { return self_intersecting_pairs(*bvh, serial).size(); });

@@ -18,9 +18,10 @@ template <class Mesh>
 using NearestIn = Nearest<Unwatched, Mesh>;
 
 template <class Mesh>
-std::optional<ClosestOnMesh> closest_of(const Mesh& mesh, const Point3& p) {
+std::optional<ClosestOnMesh> closest_of(const Mesh& mesh, const Point3& p, double within) {
   query::require_figure("closest_on_mesh", "p", p);
-  const auto found = NearestIn<Mesh>(mesh, 1).of(p);
+  if (!is_reach("closest_on_mesh", within)) return {};
+  const auto found = NearestIn<Mesh>(mesh, 1, {}, within).of(p);
   if (found.empty()) return {};
   return closest_found(mesh, p, found[0]);
 }
@@ -70,9 +71,11 @@ std::vector<NearTriangle> found_within(const Mesh& mesh, const Point3& p, double
 }  // namespace
 }  // namespace space
 
-std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p) { return space::closest_of(mesh, p); }
-std::optional<ClosestOnMesh> closest_on_mesh(const CompactBvh& mesh, const Point3& p) {
-  return space::closest_of(mesh, p);
+std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, double within) {
+  return space::closest_of(mesh, p, within);
+}
+std::optional<ClosestOnMesh> closest_on_mesh(const CompactBvh& mesh, const Point3& p, double within) {
+  return space::closest_of(mesh, p, within);
 }
 
 void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,

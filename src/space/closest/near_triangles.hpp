@@ -16,6 +16,13 @@ inline void require_finite_distance(double distance) {
   }
 }
 
+/// May anything be within it?  Nothing is within a negative distance, all within an infinite one.
+inline bool is_reach(const char* function, double within) {
+  if (within != within)
+    throw NonFinite(std::string(function) + ": within is nan, not a real number; give one, or infinity");
+  return within >= 0;
+}
+
 /// In order of their numbers; an item of a tree may be in several slots.
 inline std::vector<NearTriangle> each_once(std::vector<NearTriangle> within) {
   std::ranges::sort(within, {}, &NearTriangle::triangle);

@@ -11,50 +11,58 @@
 #include <cstdint>
 #include <optional>
 
-#include "plumb/space/bvh/posed_mesh.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "space/closest/vertex_sides.hpp"
 
 namespace plumb::space {
 
+template <class Source>
 class NearWall {
  public:
-  NearWall(const PosedMesh& a, const PosedMesh& b) : a_(a), b_(b) {}
+  NearWall(const Source& a, const Source& b) : a_(a), b_(b) {}
 
   [[nodiscard]] bool is_built() const { return wall_.has_value(); }
   void clear() { wall_.reset(); }
   void build(std::uint32_t slot_a, std::uint32_t slot_b) {
-    const PosedTriangle s = a_.triangle(slot_a), t = b_.triangle(slot_b);
+    const query::PosedTriangle3 s{Source::as_given(a_.triangle(slot_a)), a_.pose()},
+        t{Source::as_given(b_.triangle(slot_b)), b_.pose()};
     const auto quick = query::quick_closest_points(s, t);
-    wall_ = Wall{quick ? std::optional(Slab<Ball>(*quick)) : std::nullopt,
-                 Slab<BigDyadic>(query::exact_closest_points(s, t)), VertexSides(a_.bvh.vertices.size()),
-                 VertexSides(b_.bvh.vertices.size())};
+    wall_ = Wall{quick ? std::optional(Slab<Ball>(*quick, a_.pose(), b_.pose())) : std::nullopt,
+                 Slab<BigDyadic>(query::exact_closest_points(s, t), a_.pose(), b_.pose()),
+                 VertexSides(a_.bvh().vertices.size()), VertexSides(b_.bvh().vertices.size())};
   }
 
   [[nodiscard]] bool stops(std::uint32_t slot_a, std::uint32_t slot_b) {
-    if (!wall_) return false;
-    return std::ranges::all_of(a_.bvh.triangles[slot_a], [&](std::uint32_t v) { return is_behind(v); }) &&
-           std::ranges::all_of(b_.bvh.triangles[slot_b], [&](std::uint32_t v) { return is_ahead(v); });
+    return wall_ && is_behind_slot(slot_a) && is_ahead_slot(slot_b);
+  }
+  /// The wall must have been built.
+  [[nodiscard]] bool is_behind_slot(std::uint32_t slot) {
+    return std::ranges::all_of(a_.bvh().triangles[slot], [&](std::uint32_t v) { return is_behind(v); });
+  }
+  [[nodiscard]] bool is_ahead_slot(std::uint32_t slot) {
+    return std::ranges::all_of(b_.bvh().triangles[slot], [&](std::uint32_t v) { return is_ahead(v); });
   }
 
  private:
   template <class T>
   struct Slab {
+    query::WeightedPose<T> pose_a, pose_b;
     query::Vec3<T> way;  // from the closest point of a to that of b, of any length
     T weight_a, weight_b, from, to;
 
-    explicit Slab(const query::WeightedPair<T>& p)
-        : way(p[1].at * p[0].weight - p[0].at * p[1].weight),
+    Slab(const query::WeightedPair<T>& p, const AnyPoseView& a, const AnyPoseView& b)
+        : pose_a(query::weighted_pose<T>(a)),
+          pose_b(query::weighted_pose<T>(b)),
+          way(p[1].at * p[0].weight - p[0].at * p[1].weight),
           weight_a(p[0].weight),
           weight_b(p[1].weight),
           from(dot(p[0].at, way)),
           to(dot(p[1].at, way)) {}
-    /// Of a point times a weight.
-    [[nodiscard]] T beyond_from(const query::Vec3<T>& p, const T& weight) const {
-      return dot(p, way) * weight_a - from * weight;
+    [[nodiscard]] T beyond_from(const Point3& p) const {
+      return dot(pose_a.image(query::vector_of<T>(p)), way) * weight_a - from * pose_a.weight;
     }
-    [[nodiscard]] T before_to(const query::Vec3<T>& p, const T& weight) const {
-      return to * weight - dot(p, way) * weight_b;
+    [[nodiscard]] T before_to(const Point3& p) const {
+      return to * pose_b.weight - dot(pose_b.image(query::vector_of<T>(p)), way) * weight_b;
     }
   };
   struct Wall {
@@ -66,23 +74,19 @@ class NearWall {
   static Ball nothing() { return {0, 0, Ball::infinity}; }
 
   bool is_behind(std::uint32_t vertex) {
-    const auto at = [&]<class T>(const Slab<T>& slab) {
-      const auto by = query::weighted_pose<T>(a_.pose.any_view());
-      return slab.beyond_from(by.image(query::vector_of<T>(a_.bvh.vertices[vertex])), by.weight);
-    };
+    const Point3& p = a_.bvh().vertices[vertex];
     return !wall_->sides_a.is_beyond(
-        vertex, [&] { return wall_->quick ? at(*wall_->quick) : nothing(); }, [&] { return at(wall_->exact); });
+        vertex, [&] { return wall_->quick ? wall_->quick->beyond_from(p) : nothing(); },
+        [&] { return wall_->exact.beyond_from(p); });
   }
   bool is_ahead(std::uint32_t vertex) {
-    const auto at = [&]<class T>(const Slab<T>& slab) {
-      const auto by = query::weighted_pose<T>(b_.pose.any_view());
-      return slab.before_to(by.image(query::vector_of<T>(b_.bvh.vertices[vertex])), by.weight);
-    };
+    const Point3& p = b_.bvh().vertices[vertex];
     return !wall_->sides_b.is_beyond(
-        vertex, [&] { return wall_->quick ? at(*wall_->quick) : nothing(); }, [&] { return at(wall_->exact); });
+        vertex, [&] { return wall_->quick ? wall_->quick->before_to(p) : nothing(); },
+        [&] { return wall_->exact.before_to(p); });
   }
 
-  const PosedMesh &a_, &b_;
+  const Source &a_, &b_;
   std::optional<Wall> wall_;
 };
 

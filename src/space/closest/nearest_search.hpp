@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "plumb/query/closest/closest.hpp"
@@ -72,8 +73,9 @@ class Nearest {
     double distance;
   };
 
-  Nearest(const Mesh& mesh, std::size_t k, Watch watch = {})
-      : mesh_(mesh), items_(mesh), k_(std::min(k, items_.slots())), watch_(watch) {}
+  /// Figures farther away than `within`, which is not negative, do not count.
+  Nearest(const Mesh& mesh, std::size_t k, Watch watch = {}, double within = std::numeric_limits<double>::infinity())
+      : mesh_(mesh), items_(mesh), k_(std::min(k, items_.slots())), watch_(watch), within_(within) {}
 
   /// A figure that may be near, as one of this slot was before, is offered first where k is 1; a number that is no
   /// slot is no guess.
@@ -82,11 +84,11 @@ class Nearest {
     found_.clear();
     if (k_ == 0) return found_;
     const std::uint32_t offered = k_ == 1 && guess < items_.slots() ? guess : no_slot;
-    SquareLimits limits;
+    SquareLimits limits = limits_above_exact(mesh_.tree.frame, within_);
     if (offered != no_slot) {
       watch_.triangle();
-      offer({items_.number(guess), guess, distance_in_space(p, items_.figure(guess))});
-      limits = limits_above(mesh_.tree.frame, found_.back().distance);
+      if (offer({items_.number(guess), guess, distance_in_space(p, items_.figure(guess))}))
+        limits = limits_above(mesh_.tree.frame, found_.back().distance);
     }
     descend_to_near(mesh_, items_, p, limits, watch_, [&](std::uint32_t slot, const auto& figure) {
       if (slot == offered) return;
@@ -121,6 +123,7 @@ class Nearest {
       return x.distance != y.distance ? x.distance < y.distance : comes_first(x, y);
     };
     if (found_.size() == k_ && !nearer(candidate, found_.back())) return false;
+    if (!is_within(candidate)) return false;
     const auto place = std::upper_bound(found_.begin(), found_.end(), candidate, nearer) - found_.begin();
     if (place > 0 && found_[static_cast<std::size_t>(place - 1)].item == candidate.item) return false;  // in two slots
     if (found_.size() == k_) found_.pop_back();
@@ -128,6 +131,10 @@ class Nearest {
     return true;
   }
 
+  [[nodiscard]] bool is_within(const Candidate& c) const {
+    return c.distance < within_ || within_ == std::numeric_limits<double>::infinity() ||
+           (c.distance == within_ && compare(exact_distance(p_, items_.figure(c.slot)), within_) != Sign::positive);
+  }
   /// Of distances that round alike.
   [[nodiscard]] bool comes_first(const Candidate& x, const Candidate& y) const {
     const Sign order = order_of(x, y);
@@ -143,6 +150,7 @@ class Nearest {
   Items items_;
   std::size_t k_;
   Watch watch_;
+  double within_;
   Point p_{};
   std::vector<Candidate> found_;
 };

@@ -1,4 +1,4 @@
-// Branch and bound over posed boxes, as in closest_on_mesh.cpp and closest_triangles.cpp; ties exactly.
+// Branch and bound over posed boxes, as in closest_on_mesh.cpp; ties exactly.
 #include "plumb/space/closest/posed_closest.hpp"
 
 #include <algorithm>
@@ -7,17 +7,18 @@
 #include "plumb/arith/exact_distance.hpp"
 #include "plumb/space/bvh/descend_compact.hpp"
 #include "query/body/figure_input.hpp"
+#include "space/bvh/blocks.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/closest/near_triangles.hpp"
-#include "space/closest/posed_closest_search.hpp"
+#include "space/closest/posed_nearest_search.hpp"
 
 namespace plumb {
 namespace space {
 namespace {
 
 template <class Mesh>
-std::optional<ClosestOnMesh> closest_posed(const PosedMeshOf<Mesh>& mesh, const Point3& p) {
-  const auto found = nearest_posed(mesh, p, 1);
+std::optional<ClosestOnMesh> closest_posed(const PosedMeshOf<Mesh>& mesh, const Point3& p, double within = beyond_all) {
+  const auto found = nearest_posed(mesh, p, 1, no_slot, Unwatched(), within);
   if (found.empty()) return {};
   return posed_found(mesh, p, found[0]);
 }
@@ -29,9 +30,10 @@ void require_posed(const char* function, const PosedMeshOf<Mesh>& mesh, const Po
 }
 
 template <class Mesh>
-std::optional<ClosestOnMesh> closest_on_posed(const PosedMeshOf<Mesh>& mesh, const Point3& p) {
+std::optional<ClosestOnMesh> closest_on_posed(const PosedMeshOf<Mesh>& mesh, const Point3& p, double within) {
   require_posed("closest_on_mesh", mesh, p);
-  return closest_posed(mesh, p);
+  if (!is_reach("closest_on_mesh", within)) return {};
+  return closest_posed(mesh, p, within);
 }
 
 template <class Mesh>
@@ -95,8 +97,8 @@ std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Poin
 
 // Each question of the mesh's tree in its usual and in its compact form.
 #define PLUMB_POSED_CLOSEST(Mesh)                                                                      \
-  std::optional<ClosestOnMesh> closest_on_mesh(const Mesh& mesh, const Point3& p) {                    \
-    return space::closest_on_posed(mesh, p);                                                           \
+  std::optional<ClosestOnMesh> closest_on_mesh(const Mesh& mesh, const Point3& p, double within) {     \
+    return space::closest_on_posed(mesh, p, within);                                                   \
   }                                                                                                    \
   void closest_on_mesh(const Mesh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out, \
                        const ClosestOptions& options) {                                                \
@@ -113,12 +115,5 @@ std::vector<NearTriangle> posed_within(const PosedMeshOf<Mesh>& mesh, const Poin
 PLUMB_POSED_CLOSEST(PosedMesh)
 PLUMB_POSED_CLOSEST(PosedCompactMesh)
 #undef PLUMB_POSED_CLOSEST
-
-std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b) {
-  space::require_pose("closest_triangles", "a", a.pose);
-  space::require_pose("closest_triangles", "b", b.pose);
-  if (a.bvh.triangles.empty() || b.bvh.triangles.empty()) return {};
-  return space::posed_pair_found(a, b, space::PosedClosestSearch<>(a, b).run());
-}
 
 }  // namespace plumb

@@ -5,7 +5,7 @@
 #include "query/ray/numbers.hpp"
 #include "space/closest/closest_pair_search.hpp"
 #include "space/closest/nearest_search.hpp"
-#include "space/closest/posed_closest_search.hpp"
+#include "space/closest/posed_nearest_search.hpp"
 #include "space/pairs/pair_answers.hpp"
 #include "space/pairs/pair_search.hpp"
 #include "space/pairs/posed_pair_search.hpp"
@@ -28,6 +28,19 @@ std::optional<TrianglePair> any_pair_from(const Bvh& a, const Bvh& b, LastPair& 
   const auto found = any_pair(search, &at);
   if (found) last = {at.a, at.b};
   return found;
+}
+
+/// The pair of the last answer is offered first.
+template <class Source>
+std::optional<ClosestTriangles> closest_pair_from(Source a, Source b, LastPair& last,
+                                                  const ClosestPairOptions& options) {
+  if (a.bvh().slots() == 0 || b.bvh().slots() == 0 || !(options.within >= 0)) return {};
+  ClosestSearch<Source> search(a, b, options);
+  search.guess(last.slot_a, last.slot_b);
+  const auto found = search.run();
+  if (!found) return {};
+  last = {found->slot_a, found->slot_b};
+  return closest_pair_found(a, b, *found);
 }
 
 }  // namespace
@@ -66,23 +79,15 @@ std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3
   return space::posed_found(mesh, p, found[0]);
 }
 
-std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last) {
-  if (a.triangles.empty() || b.triangles.empty()) return {};
-  space::ClosestSearch<> search(a, b);
-  search.guess(last.slot_a, last.slot_b);
-  const auto found = search.run();
-  last = {found.slot_a, found.slot_b};
-  return space::closest_pair_found(found);
+std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last,
+                                                  const ClosestPairOptions& options) {
+  return space::closest_pair_from(space::StandingSource(a), space::StandingSource(b), last, options);
 }
-std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last) {
+std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last,
+                                                  const ClosestPairOptions& options) {
   space::require_pose("closest_triangles", "a", a.pose);
   space::require_pose("closest_triangles", "b", b.pose);
-  if (a.bvh.triangles.empty() || b.bvh.triangles.empty()) return {};
-  space::PosedClosestSearch<> search(a, b);
-  search.guess(last.slot_a, last.slot_b);
-  const auto found = search.run();
-  last = {found.slot_a, found.slot_b};
-  return space::posed_pair_found(a, b, found);
+  return space::closest_pair_from(space::PosedSource(a), space::PosedSource(b), last, options);
 }
 
 bool hits(const AnyRay& ray, const Bvh& bvh, LastTriangle& last, HitRule rule) {

@@ -2,17 +2,17 @@
 //
 // Law: each pair of triangles whose exact images meet is told once, on any number of threads.
 // Source: RTCD 3.2, 4.2.6, 6.3.3.
-// Cost: a posed box for each node, and that of descend_pairs.hpp and posed_leaf_pairs.hpp.
+// Cost: a posed box for each node that is looked at, and that of descend_pairs.hpp and posed_leaf_pairs.hpp.
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "space/bvh/pair_parts.hpp"
 #include "space/bvh/parts.hpp"
+#include "space/bvh/posed_places.hpp"
 #include "space/pairs/pair_search.hpp"
 #include "space/pairs/posed_leaf_pairs.hpp"
-#include "space/pairs/posed_places.hpp"
 
 namespace plumb::space {
 
@@ -28,9 +28,10 @@ class PosedPairSearch {
   template <class Begin, class Take>
   void run(Execution execution, const Begin& begin, const Take& take, std::size_t wanted = parts_wanted) const {
     if (a_.bvh.slots() == 0 || b_.bvh.slots() == 0) return;
-    const std::vector<Aabb3> boxes_a = posed_boxes(a_, execution);
-    const std::vector<Aabb3> boxes_b = own_ ? std::vector<Aabb3>() : posed_boxes(b_, execution);
-    const PosedPlaces<Mesh> as(a_, boxes_a), bs(b_, own_ ? boxes_a : boxes_b);
+    if (!own_ && !boxes_meet(root_box(a_), root_box(b_))) return;  // before there is memory for any other
+    const PosedPlaces<Mesh> as(a_);
+    std::optional<PosedPlaces<Mesh>> others;
+    const PosedPlaces<Mesh>& bs = own_ ? as : others.emplace(b_);
     const auto larger = [](const auto& a, const auto& b) { return larger_posed(a.box, b.box); };
     const auto down = [&](const auto& pair, const auto& next) {
       if (own_) return replace_own_pair(as, pair, larger, next);
@@ -51,6 +52,10 @@ class PosedPairSearch {
   }
 
  private:
+  static Aabb3 root_box(const PosedMeshOf<Mesh>& mesh) {
+    return around(mesh.pose, mesh.bvh.tree.frame.outside(mesh.bvh.tree.box()));
+  }
+
   const char* function_;
   const PosedMeshOf<Mesh>&a_, &b_;
   bool own_;

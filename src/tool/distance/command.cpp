@@ -87,7 +87,8 @@ int run_distance(const DistanceOptions& options) {
     throw Error("distance: two meshes are needed; 'plumb distance --help' explains");
   DistanceReport report;
   report.meshes = read_asked_meshes(options.meshes, outputs);
-  report.nearest = closest_triangles(build_bvh(report.meshes[0].mesh), build_bvh(report.meshes[1].mesh));
+  report.nearest =
+      closest_triangles(build_bvh(report.meshes[0].mesh), build_bvh(report.meshes[1].mesh), {.first = true});
   if (report.nearest) report.meet = they_meet(report.meshes[0].mesh, report.meshes[1].mesh, *report.nearest);
   if (!outputs.on_standard_output()) say(distance_text(report, Style(stdout)));
   if (options.json) outputs.write("--json", json_text(distance_json(report)));

@@ -3,7 +3,7 @@
 // Laws: text, JSON and OBJ name the same two triangles.  Exit code 0 when done, also where the meshes meet; a mesh that
 // cannot be read, an output that cannot be written throw Error.
 // Source: plumb/space/closest/closest_triangles.hpp.
-// Cost: that of the trees; where the meshes meet, that of all pairs that may.
+// Cost: that of the trees; where the meshes meet, that of all pairs that may or are equally near.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -191,8 +191,8 @@ TEST(RigidMesh, IsAsNearAsTheWeightedMesh) {
     for (const NearTriangle& n : triangles_within({a, s.weighted}, times(p, s.weight), reach * s.weight))
       expected.push_back(n.triangle);
     ASSERT_EQ(within, expected) << m.about();
-    const auto pair = closest_triangles({a, s.pose}, {b, t.pose});
-    const auto large_pair = closest_triangles({a, larger(s, t.weight)}, {b, larger(t, s.weight)});
+    const auto pair = closest_triangles({a, s.pose}, {b, t.pose}, {.first = true});
+    const auto large_pair = closest_triangles({a, larger(s, t.weight)}, {b, larger(t, s.weight)}, {.first = true});
     ASSERT_EQ(pair->a, large_pair->a) << m.about();
     ASSERT_EQ(pair->b, large_pair->b) << m.about();
     expect_near(large_pair->closest.distance, s.weight * t.weight, pair->closest.distance);
@@ -251,7 +251,8 @@ TEST(RigidMesh, HasUnderOnePoseWhatItHasWithoutOne) {
     const RigidChain chain{{turn}};
     const auto pairs = intersecting_pairs({a, turn}, {b, chain});
     ASSERT_EQ(pairs, intersecting_pairs(a, b)) << m.about();
-    const auto near = closest_triangles({a, turn}, {b, chain}), stands = closest_triangles(a, b);
+    const auto near = closest_triangles({a, turn}, {b, chain}, {.first = true}),
+               stands = closest_triangles(a, b, {.first = true});
     ASSERT_EQ(near->a, stands->a) << m.about();
     ASSERT_EQ(near->b, stands->b) << m.about();
     ASSERT_EQ(near->closest.distance, stands->closest.distance) << m.about();

@@ -52,14 +52,20 @@ void expect_nearest(const TriangleMesh& mesh, const Bvh& bvh, const Point3& p, c
   if (!closest) return;
   const Closest expected = closest_points(p, at(mesh, all[0].triangle));
   EXPECT_EQ(*closest, (ClosestOnMesh{all[0].triangle, expected.on_b, expected.distance, expected.feature_b})) << about;
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const double d = closest->distance;
+  for (const double within : {-1.0, 0.0, std::nextafter(d, 0.0), d, std::nextafter(d, far), far}) {
+    const bool is_within = within == far || compare_distance(p, at(mesh, all[0].triangle), within) != Sign::positive;
+    EXPECT_EQ(closest_on_mesh(bvh, p, within), is_within ? closest : std::nullopt) << about << " within " << within;
+  }
   const double reach = all[all.size() / 3].distance;
-  for (const double d : {0.0, reach, std::nextafter(reach, 0.0), -1.0}) {
-    if (!(d - d == 0)) continue;
+  for (const double most : {0.0, reach, std::nextafter(reach, 0.0), -1.0}) {
+    if (!(most - most == 0)) continue;
     Near within;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-      if (compare_distance(p, at(mesh, i), d) != Sign::positive) within.push_back({i, distance(p, at(mesh, i))});
+      if (compare_distance(p, at(mesh, i), most) != Sign::positive) within.push_back({i, distance(p, at(mesh, i))});
     }
-    EXPECT_EQ(triangles_within(bvh, p, d), within) << about << " within " << d;
+    EXPECT_EQ(triangles_within(bvh, p, most), within) << about << " within " << most;
   }
 }
 
@@ -145,7 +151,7 @@ TEST(ClosestOnMesh, OfNothingIsNothing) {
   EXPECT_EQ(closest_on_mesh(none, {0, 0, 0}), std::nullopt);
   EXPECT_EQ(nearest_triangles(none, {0, 0, 0}, 3), Near{});
   EXPECT_EQ(triangles_within(none, {0, 0, 0}, 3), Near{});
-  closest_on_mesh(none, {}, {});
+  closest_on_mesh(none, std::span<const Point3>(), std::span<ClosestOnMesh>());
   std::vector<Point3> one{{0, 0, 0}};
   std::vector<ClosestOnMesh> out(1);
   EXPECT_THAT(text_of<InvalidShape>([&] { closest_on_mesh(none, one, out); }), HasSubstr("the mesh is empty"));

@@ -100,12 +100,25 @@ TEST(PosedClosest, IsThatOfTheExactlyPosedMesh) {
     const Point3 p = m.probe3();
     ASSERT_EQ(closest_on_mesh(asked_a, p), closest_on_mesh(there_a, p)) << m.about(p);
     ASSERT_EQ(nearest_triangles(asked_a, p, 5), nearest_triangles(there_a, p, 5)) << m.about(p);
+    if (const auto closest = closest_on_mesh(there_a, p)) {
+      for (const double within : {closest->distance / 2, closest->distance, 2 * closest->distance})
+        ASSERT_EQ(closest_on_mesh(asked_a, p, within), closest_on_mesh(there_a, p, within)) << m.about(p);
+    }
     const auto nearest = nearest_triangles(there_a, p, 3);
     if (!nearest.empty() && std::isfinite(nearest.back().distance)) {
       const double reach = nearest.back().distance;
       ASSERT_EQ(triangles_within(asked_a, p, reach), triangles_within(there_a, p, reach)) << m.about(p);
     }
-    ASSERT_EQ(closest_triangles(asked_a, asked_b), closest_triangles(there_a, there_b)) << m.about();
+    const auto near = closest_triangles(there_a, there_b, {.first = true});
+    ASSERT_EQ(closest_triangles(asked_a, asked_b, {.first = true}), near) << m.about();
+    ASSERT_EQ(closest_triangles(asked_a, asked_b).has_value(), near.has_value()) << m.about();
+    if (near) {
+      const double d = near->closest.distance;
+      ASSERT_EQ(closest_triangles(asked_a, asked_b)->closest.distance, d) << m.about();
+      ASSERT_EQ(distance(asked_a, asked_b), d) << m.about();
+      for (const double reach : {d / 2, d, 2 * d})
+        ASSERT_EQ(within(asked_a, asked_b, reach), within(there_a, there_b, reach)) << m.about();
+    }
     ++compared;
   });
   EXPECT_GT(compared, battery::fitting(100));
@@ -181,7 +194,8 @@ TEST(PosedClosest, OfManyEquallyNearIsTheFirst) {
         least = std::move(square), first_a = i, first_b = k;
       }
     }
-    const auto near = closest_triangles({a, pose_a}, {b, pose_b});
+    EXPECT_EQ(distance(PosedMesh{a, pose_a}, PosedMesh{b, pose_b}), rounded_root(Rounding::nearest, *least));
+    const auto near = closest_triangles({a, pose_a}, {b, pose_b}, {.first = true});
     ASSERT_TRUE(near.has_value());
     EXPECT_EQ(std::pair(near->a, near->b), std::pair(first_a, first_b)) << "case " << index;
     EXPECT_EQ(near->closest.distance, rounded_root(Rounding::nearest, *least)) << "case " << index;

@@ -1,6 +1,7 @@
 // Closest point on a mesh: which triangle is nearest to a point, and which of its points; which k, and which within reach?
 //
 //   if (const auto near = closest_on_mesh(bvh, p)) use(near->triangle, near->point, near->distance);
+//   closest_on_mesh(bvh, p, 0.25)            // nothing where all of it is farther away
 //   nearest_triangles(bvh, p, 5)             // the five nearest
 //   triangles_within(bvh, p, 0.25)           // all whose distance is at most that
 //   closest_on_mesh(bvh, points, out)        // of many points, with threads
@@ -8,7 +9,7 @@
 // Laws: (1) the triangle of least distance in real arithmetic, of equally near ones the lowest; point, distance and
 // feature are those of closest_points(p, triangle) (query/closest/closest.hpp).  (2) The k nearest ascend by exact
 // distance, then by number; fewer where the mesh has fewer.  (3) Those within a distance ascend by number; a distance of
-// exactly as much is within, and nothing is within a negative one.  (4) The answers depend on the mesh alone: not on its
+// exactly as much is within, and nothing is within a negative one, of closest_on_mesh likewise.  (4) The answers depend on the mesh alone: not on its
 // tree, execution or number of threads.  (5) An empty mesh has no nearest triangle: single questions answer nothing; of
 // many points closest_on_mesh throws InvalidShape.
 // NaN and infinities throw NonFinite, naming the argument, of many points with its number; spans of unequal length
@@ -20,6 +21,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,7 +52,8 @@ struct ClosestOptions {
   Progress progress = {};
 };
 
-std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p);
+std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p,
+                                             double within = std::numeric_limits<double>::infinity());
 void closest_on_mesh(const Bvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
 
@@ -61,7 +64,8 @@ std::vector<NearTriangle> triangles_within(const Bvh& mesh, const Point3& p, dou
                                            std::vector<NearTriangle> rows = {});
 
 /// The same of a compact tree.
-std::optional<ClosestOnMesh> closest_on_mesh(const CompactBvh& mesh, const Point3& p);
+std::optional<ClosestOnMesh> closest_on_mesh(const CompactBvh& mesh, const Point3& p,
+                                             double within = std::numeric_limits<double>::infinity());
 void closest_on_mesh(const CompactBvh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
 std::vector<NearTriangle> nearest_triangles(const CompactBvh& mesh, const Point3& p, std::size_t k,

@@ -8,9 +8,9 @@
 // of which numbers are rounded once; they are infinite beyond the largest double.
 // A pose that is NaN or infinite throws NonFinite ("closest_on_mesh: mesh.pose.translation.x is nan, ...").
 // Source: RTCD 3.2, 4.2.6, 5.1.5, 5.1.10, 6.3.2.
-// Cost: some 100 ns for each node that is looked at, 500 for each triangle whose box may be nearer; of two meshes tens
-// of microseconds for each pair of triangles, few of those that lie face to face.  Bounded by n log n operations a
-// point, on integers as long as the exponents' span.
+// Cost: some 100 ns for each node that is looked at, 500 for each triangle whose box may be nearer; two meshes as
+// closest_triangles.hpp says, and microseconds for each pair of triangles of which doubles say too little.  Bounded by
+// n log n operations a point, on integers as long as the exponents' span.
 #pragma once
 
 #include "plumb/space/bvh/posed_mesh.hpp"
@@ -19,7 +19,8 @@
 
 namespace plumb {
 
-std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3& p);
+std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3& p,
+                                             double within = std::numeric_limits<double>::infinity());
 void closest_on_mesh(const PosedMesh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
 
@@ -30,7 +31,8 @@ std::vector<NearTriangle> triangles_within(const PosedMesh& mesh, const Point3& 
                                            std::vector<NearTriangle> rows = {});
 
 /// The same of a compact tree.
-std::optional<ClosestOnMesh> closest_on_mesh(const PosedCompactMesh& mesh, const Point3& p);
+std::optional<ClosestOnMesh> closest_on_mesh(const PosedCompactMesh& mesh, const Point3& p,
+                                             double within = std::numeric_limits<double>::infinity());
 void closest_on_mesh(const PosedCompactMesh& mesh, std::span<const Point3> points, std::span<ClosestOnMesh> out,
                      const ClosestOptions& options = {});
 std::vector<NearTriangle> nearest_triangles(const PosedCompactMesh& mesh, const Point3& p, std::size_t k,
@@ -38,6 +40,9 @@ std::vector<NearTriangle> nearest_triangles(const PosedCompactMesh& mesh, const 
 std::vector<NearTriangle> triangles_within(const PosedCompactMesh& mesh, const Point3& p, double distance,
                                            std::vector<NearTriangle> rows = {});
 
-std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b);
+std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b,
+                                                  const ClosestPairOptions& options = {});
+double distance(const PosedMesh& a, const PosedMesh& b);
+bool within(const PosedMesh& a, const PosedMesh& b, double distance);
 
 }  // namespace plumb

@@ -6,7 +6,7 @@
 //   hits(ray, mesh, near);
 //
 // Laws: (1) the answers are those of the functions without a memory, exactly; any_intersecting_pair may name another of
-// the pairs that meet.  (2) What is remembered is a guess that is tested: it may be of a mesh that has been moved,
+// the pairs that meet, closest_triangles another of equally near ones where the first is not asked for.  (2) What is remembered is a guess that is tested: it may be of a mesh that has been moved,
 // refitted, built anew or is another one.  (3) It is written by each query: two threads need two.
 // Errors are those of the functions without a memory.
 // Source: RTCD 6.7.1.
@@ -42,8 +42,10 @@ std::optional<TrianglePair> any_intersecting_pair(const PosedMesh& a, const Pose
 std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, LastTriangle& last);
 std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3& p, LastTriangle& last);
 
-std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last);
-std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last);
+std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last,
+                                                  const ClosestPairOptions& options = {});
+std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last,
+                                                  const ClosestPairOptions& options = {});
 
 bool hits(const AnyRay& ray, const Bvh& bvh, LastTriangle& last, HitRule rule = HitRule::closed);
 

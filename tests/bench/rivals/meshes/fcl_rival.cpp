@@ -1,40 +1,19 @@
 // FCL's hierarchies of two meshes: all contacts, and the distance.  A common pose is its transform.
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
 #include "bench/rivals/chart_rival.hpp"
+#include "bench/rivals/fcl_meshes.hpp"
 #include "lab/trial/mesh_questions.hpp"
 
 namespace plumb::bench {
 namespace {
 
 using namespace lab::trial;
-using Model = fcl::BVHModel<fcl::OBBRSS<double>>;
-
-std::unique_ptr<Model> model_of(const TriangleMesh& mesh) {
-  auto model = std::make_unique<Model>();
-  std::vector<fcl::Vector3d> vertices;
-  for (const Point3& p : mesh.vertices) vertices.emplace_back(p.x, p.y, p.z);
-  std::vector<fcl::Triangle> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
-  model->addSubModel(vertices, triangles);
-  model->endModel();
-  return model;
-}
-
-fcl::Transform3d transform_of(const Pose& pose) {
-  fcl::Transform3d t = fcl::Transform3d::Identity();
-  const auto& [u, v, w] = pose.columns;
-  t.linear() << u.x, v.x, w.x, u.y, v.y, w.y, u.z, v.z, w.z;
-  t.translation() << pose.translation.x, pose.translation.y, pose.translation.z;
-  return t;
-}
+using Model = FclModel;
 
 Pairs contacts(const std::unique_ptr<Model>& a, const std::unique_ptr<Model>& b, const Pose& pose) {
-  const fcl::Transform3d place = transform_of(pose);
+  const fcl::Transform3d place = fcl_transform(pose);
   const fcl::CollisionRequestd request(std::size_t{1} << 30, false);
   fcl::CollisionResultd result;
   fcl::collide(a.get(), place, b.get(), place, request, result);
@@ -47,7 +26,7 @@ Pairs contacts(const std::unique_ptr<Model>& a, const std::unique_ptr<Model>& b,
 }
 
 double apart(const std::unique_ptr<Model>& a, const std::unique_ptr<Model>& b, const Pose& pose) {
-  const fcl::Transform3d place = transform_of(pose);
+  const fcl::Transform3d place = fcl_transform(pose);
   const fcl::DistanceRequestd request;
   fcl::DistanceResultd result;
   fcl::distance(a.get(), place, b.get(), place, request, result);
@@ -57,10 +36,10 @@ double apart(const std::unique_ptr<Model>& a, const std::unique_ptr<Model>& b, c
 }  // namespace
 
 void add_fcl_meshes(Rivals& all) {
-  all.push_back({"mesh-pairs",
-                 of_two_meshes("fcl", "FCL's collide() of two BVHModels of OBBRSS, all contacts", model_of, contacts)});
+  all.push_back({"mesh-pairs", of_two_meshes("fcl", "FCL's collide() of two BVHModels of OBBRSS, all contacts",
+                                             fcl_model, contacts)});
   all.push_back(
-      {"mesh-distance", of_two_meshes("fcl", "FCL's distance() of two BVHModels of OBBRSS", model_of, apart)});
+      {"mesh-distance", of_two_meshes("fcl", "FCL's distance() of two BVHModels of OBBRSS", fcl_model, apart)});
 }
 
 }  // namespace plumb::bench
