@@ -2,7 +2,7 @@
 //
 // Scenes: boxes of 43,200 triangles each, face to face, of which thousands of pairs are equally near; tori of 86,436
 // side by side; wavy rings of 16,384 apart; spheres of 43,200, one within the other; a wavy ring of a million and a
-// cylinder of 4,800, 17 apart.  `plumb_first` is asked for the first of equally near pairs, `plumb_within` whether the
+// ball of 4,800.  `plumb_first` is asked for the first of equally near pairs, `plumb_within` whether the
 // meshes are within half of their distance, `plumb_rigid` under one exact turn, and moved a little, `plumb_posed` and
 // `fcl_posed` under one that rounds.  Trees are built beforehand.
 #include <benchmark/benchmark.h>
