@@ -4,7 +4,9 @@
 //
 // Laws: each piece is convex and has area; pieces overlap nowhere and cover what triangulate covers by the same rule;
 // every corner of a piece is a vertex of the polygon, and vertices on straight edges stay.  No two neighbors could be
-// one convex piece along their common edge.  There are at most four times as many pieces as the fewest there can be.
+// one convex piece along their common edge.  Of a polygon without holes there are at most four times as many pieces as
+// the fewest: no more than two edges at a reflex corner keep it convex, so that with r of them at most 2 r + 1 pieces
+// are left, and one edge can end at two of them only, so that there are at least r / 2 + 1.
 // Errors are those of triangulate_polygon.hpp.
 // Source: RTCD 12.5.2; Hertel and Mehlhorn 1983.
 // Cost: that of the triangulation, then a sort of its edges.  Bounded by n^2 signs.
