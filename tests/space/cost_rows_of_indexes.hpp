@@ -368,6 +368,8 @@ inline const CostRow rows_of_indexes[]{
      [](const Cloud& c) { (void)triangulate(star_of(c.flat)); }},
     {"convex_pieces", "surface/planar/convex_pieces.hpp", quadratic, 20,
      [](const Cloud& c) { (void)convex_pieces(star_of(c.flat)); }},
+    {"fewest_convex_pieces", "surface/planar/convex_pieces.hpp", cubic, 40,
+     [](const Cloud& c) { (void)fewest_convex_pieces(star_of(c.flat)); }},
     {"arrange_segments", "surface/planar/arrange_segments.hpp", quartic, 200,
      [](const Cloud& c) {
        std::vector<Segment2> segments;

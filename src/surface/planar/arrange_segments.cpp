@@ -20,7 +20,7 @@ void require_segments(std::span<const Segment2> segments) {
   require_finite_points("arrange_segments", "ends", std::span<const Point2>(ends));
 }
 
-// The points of each segment, in order from its end a: the ends, and what it has in common with others.
+// Finds the points of each segment, in order from its end a: the ends, and what it has in common with others.
 std::vector<std::vector<ExactPoint2>> points_on(std::span<const Segment2> segments) {
   std::vector<Aabb2> boxes;
   boxes.reserve(segments.size());

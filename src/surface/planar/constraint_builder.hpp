@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "surface/planar/delaunay_builder.hpp"
@@ -49,13 +48,16 @@ class ConstraintBuilder {
       else
         missing.push_back(i);
     }
-    // In random rounds, and within a round by place, as the vertices are.
-    const auto place = [&](std::uint32_t i) { return std::max(segments[i][0], segments[i][1]); };
-    std::sort(missing.begin(), missing.end(), [&](std::uint32_t l, std::uint32_t r) {
-      return std::tuple(-rounds_before_last(l), place(l), l) < std::tuple(-rounds_before_last(r), place(r), r);
-    });
-    for (const std::uint32_t i : missing)
-      if (const auto crossing = insert(segments[i][0], segments[i][1], i)) return crossing;
+    // In random rounds, the smallest first, and within a round as they were given: those of a path are neighbors.
+    std::vector<std::vector<std::uint32_t>> rounds;
+    for (const std::uint32_t i : missing) {
+      const auto r = static_cast<std::size_t>(rounds_before_last(i));
+      if (r >= rounds.size()) rounds.resize(r + 1);
+      rounds[r].push_back(i);
+    }
+    for (std::size_t r = rounds.size(); r-- > 0;)
+      for (const std::uint32_t i : rounds[r])
+        if (const auto crossing = insert(segments[i][0], segments[i][1], i)) return crossing;
     return {};
   }
 
@@ -75,9 +77,8 @@ class ConstraintBuilder {
   // Segment i goes along e.
   void cover(HalfEdge e, std::uint32_t i) {
     for (const auto& [half, by] : {std::pair{e, 1}, std::pair{triangles_.twin(e), -1}}) {
-      EdgeMark& mark = triangles_.mark(half);
-      mark.constraint = std::min(mark.constraint, i);
-      mark.weight += by;
+      const EdgeMark mark = triangles_.mark(half);
+      triangles_.set_mark(half, {std::min(mark.constraint, i), mark.weight + by});
     }
   }
 
@@ -99,7 +100,7 @@ class ConstraintBuilder {
     return {};
   }
 
-  // The half-edge from a along the segment, or the one opposite to a that the segment crosses first.
+  // Returns the half-edge from a along the segment, or the one opposite to a that the segment crosses first.
   HalfEdge toward(Vertex a, Vertex b) const {
     const Sign way = points_.order(a, b);
     HalfEdge e = leaving_[a];
@@ -134,7 +135,7 @@ class ConstraintBuilder {
     chain.rim.push_back({e, beyond, triangles_.mark(e), triangles_.mark(beyond), none});
   }
 
-  // Walks from a to the first vertex on the segment, over e; the constraint that is in the way, if any.
+  // Walks from a over e to the first vertex on the segment; returns the constraint that is in the way, if any.
   std::optional<std::uint32_t> cross(Vertex a, Vertex b, HalfEdge e) {
     left_.corners.assign(1, a);
     right_.corners.assign(1, a);
@@ -159,7 +160,7 @@ class ConstraintBuilder {
     }
   }
 
-  // Fills the hole; the half-edge from a to where the walk has ended.
+  // Fills the hole; returns the half-edge from a to where the walk has ended.
   HalfEdge retriangulate(Vertex a) {
     for (const auto& [u, v] : crossed_) {
       --degree_[u];
@@ -168,7 +169,7 @@ class ConstraintBuilder {
     next_place_ = 0;
     const HalfEdge along = scan(left_, Sign::negative), back = scan(right_, Sign::positive);
     triangles_.join(along, back);
-    triangles_.mark(along) = triangles_.mark(back) = {};
+    for (const HalfEdge e : {along, back}) triangles_.set_mark(e, {});
     const Vertex end = left_.corners.back();
     ++degree_[a];
     ++degree_[end];
@@ -182,8 +183,8 @@ class ConstraintBuilder {
       for (const Rim& r : chain->rim) {
         const HalfEdge beyond = renamed_[r.beyond] == none ? r.beyond : renamed_[r.beyond];
         triangles_.join(r.now, beyond);
-        triangles_.mark(r.now) = r.mark;
-        triangles_.mark(beyond) = r.mark_beyond;
+        triangles_.set_mark(r.now, r.mark);
+        triangles_.set_mark(beyond, r.mark_beyond);
       }
     }
     for (const Chain* chain : {&left_, &right_})
@@ -203,11 +204,10 @@ class ConstraintBuilder {
     const auto close = [&](HalfEdge e, const Kept& by) {
       if (by.is_rim) {
         chain.rim[by.edge].now = e;
-        triangles_.mark(e) = {};
       } else {
         triangles_.join(e, by.edge);
         pending_.push_back(e);
-        triangles_.mark(e) = triangles_.mark(by.edge) = {};
+        for (const HalfEdge half : {e, by.edge}) triangles_.set_mark(half, {});
         ++degree_[triangles_.origin(e)];
         ++degree_[triangles_.target(e)];
       }

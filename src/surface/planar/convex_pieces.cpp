@@ -12,7 +12,7 @@ namespace {
 using surface::none;
 using ConvexPieces = std::vector<std::vector<std::uint32_t>>;
 
-// The borders of pieces: half-edges 3 t + k of triangles, linked around each piece.
+// Keeps the borders of pieces: half-edges 3 t + k of triangles, linked around each piece.
 class Borders {
  public:
   Borders(std::span<const Point2> points, const CornerTriangles& triangles)

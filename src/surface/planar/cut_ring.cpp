@@ -24,7 +24,7 @@ bool is_simple(const Triangulator<GivenPoints>& made, std::uint32_t corners) {
   return covered == corners;
 }
 
-// The way in which the path winds around what it winds around once, or 0.
+// Returns 1 or -1 if the path winds around nothing but once in that way, else 0.
 std::int32_t only_winding(const Triangulator<GivenPoints>& made, std::span<const std::int32_t> windings) {
   const Triangles& t = made.triangles();
   std::int32_t only = 0;
@@ -37,16 +37,33 @@ std::int32_t only_winding(const Triangulator<GivenPoints>& made, std::span<const
   return only;
 }
 
+struct WoundRing {
+  Triangulator<GivenPoints> made;
+  std::vector<std::int32_t> windings;
+  std::int32_t inside;  // 1 or -1
+};
+
+// Nothing where edges cross, or the path winds around nothing, or not once in one way.
+std::optional<WoundRing> wind(std::span<const Point2> ring) {
+  WoundRing wound{triangulator_of(ring), {}, 0};
+  const auto edges = ring_edges(std::array{0U, static_cast<std::uint32_t>(ring.size())});
+  if (wound.made.triangles().end() == 0 || wound.made.constrain(edges)) return {};
+  wound.windings = wound.made.windings();
+  wound.inside = only_winding(wound.made, wound.windings);
+  if (wound.inside == 0) return {};
+  return wound;
+}
+
 }  // namespace
 
 bool cut_ring(std::span<const Point2> ring, std::vector<std::array<std::uint32_t, 3>>& out) {
   const auto corners = static_cast<std::uint32_t>(ring.size());
-  auto made = triangulator_of(ring);
+  const std::optional<WoundRing> wound = wind(ring);
+  if (!wound) return false;
+  const Triangulator<GivenPoints>& made = wound->made;
+  const std::vector<std::int32_t>& windings = wound->windings;
+  const std::int32_t inside = wound->inside;
   const Triangles& t = made.triangles();
-  if (t.end() == 0 || made.constrain(ring_edges(std::array{0U, corners}))) return false;
-  const std::vector<std::int32_t> windings = made.windings();
-  const std::int32_t inside = only_winding(made, windings);
-  if (inside == 0) return false;
   const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (inside > 0)
       out.push_back({a, b, c});
@@ -69,7 +86,7 @@ bool cut_ring(std::span<const Point2> ring, std::vector<std::array<std::uint32_t
   if (triangles.size() + 2 != path.stations().size()) return false;
   if (!PassedStations(made.points(), path.stations(), triangles).take_out()) return false;
   if (triangles.size() + 2 != corners) return false;
-  // Where the path crosses itself at a vertex, what is cut anew is not all seen from the edge.
+  // A path that crosses itself at a vertex is noticed here: what was cut anew is not all seen from the edge.
   for (const auto& [a, b, c] : triangles) {
     const auto vertex = [&](std::uint32_t s) { return path.stations()[s].vertex; };
     if (made.points().orient(vertex(a), vertex(b), vertex(c)) == Sign::negative) return false;
@@ -77,6 +94,12 @@ bool cut_ring(std::span<const Point2> ring, std::vector<std::array<std::uint32_t
   for (const auto& [a, b, c] : triangles)
     add(path.stations()[a].corner, path.stations()[b].corner, path.stations()[c].corner);
   return true;
+}
+
+std::optional<Sign> turn_of_simple_ring(std::span<const Point2> ring) {
+  const std::optional<WoundRing> wound = wind(ring);
+  if (!wound || !is_simple(wound->made, static_cast<std::uint32_t>(ring.size()))) return {};
+  return wound->inside > 0 ? Sign::positive : Sign::negative;
 }
 
 }  // namespace plumb::surface

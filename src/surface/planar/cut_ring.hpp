@@ -17,14 +17,19 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "plumb/arith/point.hpp"
+#include "plumb/arith/sign.hpp"
 
 namespace plumb::surface {
 
 /// Triangles of indices of the ring's points, put at the end of `out`; nothing without success.
 bool cut_ring(std::span<const Point2> ring, std::vector<std::array<std::uint32_t, 3>>& out);
+
+/// The way in which a ring turns whose edges meet in their common corners alone; of any other nothing.
+std::optional<Sign> turn_of_simple_ring(std::span<const Point2> ring);
 
 }  // namespace plumb::surface

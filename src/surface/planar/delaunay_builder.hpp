@@ -32,7 +32,7 @@ class DelaunayBuilder {
  public:
   DelaunayBuilder(Points& points, Triangles& triangles) : points_(points), triangles_(triangles) {}
 
-  /// What `same` gets for each vertex: itself, or the vertex that has its point.
+  /// `same` gets for each vertex itself, or the vertex that has its point.
   void run(std::vector<Vertex>& same) {
     const auto n = static_cast<Vertex>(points_.size());
     same.resize(n);
@@ -49,7 +49,7 @@ class DelaunayBuilder {
   }
 
  private:
-  // The first three points that are no line, as a triangle in three ghosts.
+  // Makes a triangle in three ghosts of the first three points that are no line.
   bool begin() {
     const auto n = static_cast<Vertex>(points_.size());
     Vertex b = 1;
@@ -141,7 +141,7 @@ class DelaunayBuilder {
     flip_pending(false);
   }
 
-  // Of a point that was just inserted only what lies opposite to it can be wrong, else anything around.
+  // Around a point that was just inserted only the edges opposite to it can be wrong; else any edge can.
   void flip_pending(bool all_around) {
     while (!pending_.empty()) {
       const HalfEdge e = pending_.back();

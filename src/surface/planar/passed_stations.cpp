@@ -22,7 +22,7 @@ void PassedStations::add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   note(static_cast<std::uint32_t>(triangles_.size() - 1));
 }
 
-// The stations around one, counterclockwise: from the one that the path reaches next to the one before.
+// Lists the stations around one, counterclockwise: from the one that the path reaches next to the one before.
 std::vector<std::uint32_t> PassedStations::chain_about(std::uint32_t passed) {
   std::unordered_map<std::uint32_t, std::uint32_t> over;
   std::unordered_map<std::uint32_t, int> reached;

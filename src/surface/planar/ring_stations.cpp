@@ -26,7 +26,7 @@ void RingStations::link(std::uint32_t k, std::uint32_t n) {
   stations_[n].previous = k;
 }
 
-// The stations from corner `from` on, before corner `to`.
+// Adds the stations from corner `from` on, before corner `to`.
 void RingStations::add_edge(std::uint32_t from, std::uint32_t to) {
   const Vertex a = made_.vertex(from), b = made_.vertex(to);
   const auto add = [&](Vertex v, HalfEdge out) {
@@ -62,7 +62,7 @@ HalfEdge RingStations::toward(Vertex a, Vertex b) const {
   }
 }
 
-// A station from which the path goes back as it came, through the outside, or does not move at all.
+// Cuts off stations from which the path goes back as it came, through the outside, or does not move at all.
 void RingStations::cut_folds(std::span<const std::int32_t> windings, std::int32_t inside) {
   std::vector<std::uint32_t> pending(stations_.size());
   for (std::uint32_t k = 0; k < pending.size(); ++k) pending[k] = k;

@@ -73,26 +73,33 @@ class Triangles {
     join(e, beyond_g2);
     join(g, beyond_e2);
     join(e2, g2);
-    if (!marks_.empty()) {
-      marks_[e] = marks_[g2];
-      marks_[g] = marks_[e2];
-      marks_[e2] = marks_[g2] = {};
+    if (has_marks()) {
+      set_mark(e, mark(g2));
+      set_mark(g, mark(e2));
+      set_mark(e2, {});
+      set_mark(g2, {});
     }
   }
 
   /// From here on edges have marks; no triangle is added any more.
   void mark_edges() { marks_.assign(end(), {}); }
   [[nodiscard]] bool has_marks() const { return !marks_.empty(); }
-  [[nodiscard]] EdgeMark& mark(HalfEdge e) { return marks_[e]; }
-  [[nodiscard]] const EdgeMark& mark(HalfEdge e) const { return marks_[e]; }
-  [[nodiscard]] bool is_constrained(HalfEdge e) const { return !marks_.empty() && marks_[e].constraint != none; }
+  [[nodiscard]] bool is_constrained(HalfEdge e) const { return (all_[e >> 2].constrained >> (e & 3) & 1) != 0; }
+  [[nodiscard]] EdgeMark mark(HalfEdge e) const { return is_constrained(e) ? marks_[e] : EdgeMark{}; }
+  void set_mark(HalfEdge e, const EdgeMark& to) {
+    std::uint32_t& bits = all_[e >> 2].constrained;
+    bits &= ~(1U << (e & 3));
+    if (to.constraint == none) return;
+    bits |= 1U << (e & 3);
+    marks_[e] = to;
+  }
 
  private:
   struct Triangle {
     std::array<Vertex, 3> origin;
-    std::uint32_t unused;
+    std::uint32_t constrained;  // bit k is that of half-edge k; only then it has a mark
     std::array<HalfEdge, 3> twin;
-    std::uint32_t unused_too;
+    std::uint32_t unused;
   };
   std::vector<Triangle> all_;
   std::vector<EdgeMark> marks_;

@@ -4,6 +4,7 @@
 
 #include "figure/basic/finite_parts.hpp"
 #include "figure/basic/plane_of_points.hpp"
+#include "plumb/surface/planar/arrange_segments.hpp"
 #include "surface/planar/checked_points.hpp"
 #include "surface/planar/ring_edges.hpp"
 #include "surface/planar/ring_points.hpp"
@@ -24,6 +25,10 @@ void require_rings(std::size_t points, std::span<const std::uint32_t> first) {
                              .append(" of the polygon has fewer than three vertices; give three or more"));
 }
 
+bool is_inside(std::int32_t winding, WindingRule rule) {
+  return rule == WindingRule::odd ? winding % 2 != 0 : rule == WindingRule::nonzero ? winding != 0 : winding > 0;
+}
+
 // Which way triangles turn: counterclockwise, or as the rings wind.
 enum class Turn { left, as_wound };
 
@@ -39,7 +44,7 @@ CornerTriangles inside(std::span<const Point2> points, std::span<const std::uint
   const std::vector<std::int32_t> windings = made.windings();
   for (HalfEdge e = 0; e < t.end(); e += 4) {
     const std::int32_t w = windings[e / 4];
-    if (!(rule == WindingRule::odd ? w % 2 != 0 : rule == WindingRule::nonzero ? w != 0 : w > 0)) continue;
+    if (!is_inside(w, rule)) continue;
     const auto label = [&](HalfEdge corner) { return made.points().label(t.origin(corner)); };
     result.push_back({label(e), label(e + 1), label(e + 2)});
     if (turn == Turn::as_wound && w < 0) std::swap(result.back()[1], result.back()[2]);
@@ -81,6 +86,23 @@ CornerTriangles triangulate(const HoledPolygon2& polygon, WindingRule rule) {
 CornerTriangles triangulate(const HoledPolygon3& polygon, WindingRule rule) {
   const auto [points, first] = surface::ring_points<Point3>(polygon);
   return triangulate(points, first, rule);
+}
+
+ExactTriangles triangulate_with_crossings(const Polygon2& polygon, WindingRule rule) {
+  return triangulate_with_crossings(HoledPolygon2{polygon, {}}, rule);
+}
+
+ExactTriangles triangulate_with_crossings(const HoledPolygon2& polygon, WindingRule rule) {
+  const auto [points, first] = surface::ring_points<Point2>(polygon);
+  require_rings(points.size(), first);
+  surface::require_points("triangulate_with_crossings", points);
+  std::vector<Segment2> edges;
+  for (const auto& [a, b] : surface::ring_edges(first)) edges.push_back({points[a], points[b]});
+  PlanarArrangement made = arrange_segments(edges);
+  ExactTriangles result{std::move(made.vertices), {}};
+  for (std::size_t t = 0; t < made.triangles.size(); ++t)
+    if (is_inside(made.windings[made.face_of[t]], rule)) result.triangles.push_back(made.triangles[t]);
+  return result;
 }
 
 }  // namespace plumb

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <numbers>
+#include <numeric>
 
 #include "surface/planar/triangulation_laws.hpp"
 
@@ -99,6 +100,103 @@ TEST(ConvexPieces, AnyPathOfALattice) {
     if (testing::Test::HasFailure()) return;
   }
   EXPECT_GT(cut, 300U);
+}
+
+// The fewest pieces of the chain from corner i to corner k, tried out: every convex polygon of corners between.
+class TriedOut {
+ public:
+  explicit TriedOut(const std::vector<Point2>& points) : points_(points), kept_(points.size() * points.size(), 0) {}
+
+  std::size_t fewest() { return fewest(0, points_.size() - 1); }
+
+ private:
+  std::size_t fewest(std::size_t i, std::size_t k) {
+    if (k == i + 1) return 0;
+    std::size_t& kept = kept_[i * points_.size() + k];
+    if (kept != 0) return kept;
+    kept = 1'000'000;
+    std::vector<std::size_t> piece{i};
+    extend(piece, k, 1, kept);
+    return kept;
+  }
+
+  void extend(std::vector<std::size_t>& piece, std::size_t k, std::size_t sum, std::size_t& best) {
+    for (std::size_t next = piece.back() + 1; next <= k; ++next) {
+      const std::size_t from = piece.back();
+      if (piece.size() == 1 && next == k) continue;
+      if (next != from + 1 && !sees(from, next)) continue;
+      if (piece.size() > 1 && turn(piece[piece.size() - 2], from, next) == Sign::negative) continue;
+      piece.push_back(next);
+      if (next == k) {
+        const bool closes = turn(piece[piece.size() - 2], k, piece[0]) != Sign::negative &&
+                            turn(k, piece[0], piece[1]) != Sign::negative && has_area(piece);
+        if (closes) best = std::min(best, sum + fewest(from, next));
+      } else {
+        extend(piece, k, sum + fewest(from, next), best);
+      }
+      piece.pop_back();
+    }
+  }
+  bool has_area(const std::vector<std::size_t>& piece) {
+    for (std::size_t j = 1; j + 1 < piece.size(); ++j)
+      if (turn(piece[0], piece[j], piece[j + 1]) == Sign::negative) return false;
+    return turn(piece[0], piece[1], piece.back()) == Sign::positive || piece.size() > 3;
+  }
+  Sign turn(std::size_t a, std::size_t b, std::size_t c) const { return orient2d(points_[a], points_[b], points_[c]); }
+
+  // No corner on the diagonal, no edge across it, and its middle within.
+  bool sees(std::size_t i, std::size_t k) const {
+    if (i == 0 && k + 1 == points_.size()) return true;
+    const Rational x = (Rational(points_[i].x) + Rational(points_[k].x)) * Rational(1, 2);
+    const Rational y = (Rational(points_[i].y) + Rational(points_[k].y)) * Rational(1, 2);
+    bool odd = false;
+    for (std::size_t a = 0; a < points_.size(); ++a) {
+      const std::size_t b = (a + 1) % points_.size();
+      if (a != i && a != k && turn(i, k, a) == Sign::zero &&
+          compare_xy(points_[i], points_[a]) == compare_xy(points_[a], points_[k]))
+        return false;
+      if (a != i && a != k && b != i && b != k && turn(i, k, a) != turn(i, k, b) && turn(a, b, i) != turn(a, b, k) &&
+          turn(i, k, a) != Sign::zero && turn(i, k, b) != Sign::zero)
+        return false;
+      const Rational ay = points_[a].y, by = points_[b].y, ax = points_[a].x, bx = points_[b].x;
+      if ((ay <= y) == (by <= y)) continue;
+      if (x < ax + (bx - ax) * (y - ay) / (by - ay)) odd = !odd;
+    }
+    return odd;
+  }
+
+  const std::vector<Point2>& points_;
+  std::vector<std::size_t> kept_;
+};
+
+TEST(ConvexPieces, TheFewestAreFewest) {
+  std::size_t asked = 0, fewer = 0;
+  for (std::uint64_t round = 0; round < 300; ++round) {
+    SCOPED_TRACE("Entropy(53, " + std::to_string(round) + ")");
+    Entropy entropy(53, round);
+    Polygon2 polygon = star(5 + entropy.below(7), entropy);
+    if (round % 2 == 0)  // many corners on lines with others
+      for (auto& [x, y] : polygon.vertices) x = std::round(x * 6), y = std::round(y * 6);
+    if (round % 3 == 0) std::reverse(polygon.vertices.begin(), polygon.vertices.end());
+    Pieces pieces;
+    try {
+      pieces = fewest_convex_pieces(polygon);
+    } catch (const InvalidShape&) {
+      continue;
+    }
+    ++asked;
+    std::vector<Point2> left = polygon.vertices;
+    std::vector<std::uint32_t> all(left.size());
+    std::iota(all.begin(), all.end(), 0U);
+    if (twice_area_of(left, all).sign() == Sign::negative) std::reverse(left.begin(), left.end());
+    EXPECT_EQ(pieces.size(), TriedOut(left).fewest());
+    expect_pieces(polygon.vertices, triangulate(polygon), pieces);
+    fewer += pieces.size() < convex_pieces(polygon).size();
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(asked, 150U);
+  EXPECT_GT(fewer, 0U);
+  EXPECT_THROW((void)fewest_convex_pieces(Polygon2{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}), InvalidShape);
 }
 
 }  // namespace

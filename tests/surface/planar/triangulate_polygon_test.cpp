@@ -146,6 +146,44 @@ TEST(TriangulatePolygon, RefusesWhatIsNoPolygon) {
   EXPECT_TRUE(triangulate(Polygon3{{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}}).empty());
 }
 
+Rational exact_area(const ExactTriangles& made) {
+  Rational sum = 0;
+  for (const auto& [a, b, c] : made.triangles) {
+    const auto p = rational_point(made.vertices[a]), q = rational_point(made.vertices[b]),
+               r = rational_point(made.vertices[c]);
+    const Rational area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    EXPECT_EQ(area.sign(), Sign::positive);
+    sum = sum + area;
+  }
+  return sum;
+}
+
+TEST(TriangulatePolygon, CrossingsAreDividedWhereThatIsAsked) {
+  const Polygon2 bow{{{0, 0}, {3, 3}, {3, 0}, {0, 1}}};
+  // Crossing at (3/4, 3/4): a triangle of twice the area 3/4 and one of 27/4, which are wound around differently.
+  EXPECT_EQ(exact_area(triangulate_with_crossings(bow)), Rational(30, 4));
+  EXPECT_EQ(exact_area(triangulate_with_crossings(bow, WindingRule::positive)), Rational(3, 4));
+  for (std::uint64_t round = 0; round < battery::fitting(300U); ++round) {
+    SCOPED_TRACE("Entropy(47, " + std::to_string(round) + ")");
+    Entropy entropy(47, round);
+    Polygon2 polygon;
+    polygon.vertices.resize(3 + entropy.below(7));
+    for (Point2& p : polygon.vertices)
+      p = {static_cast<double>(entropy.below(6)), static_cast<double>(entropy.below(6))};
+    // The nonzero rule covers what the positive one does of the path and of its reverse.
+    Polygon2 reversed{{polygon.vertices.rbegin(), polygon.vertices.rend()}};
+    EXPECT_EQ(exact_area(triangulate_with_crossings(polygon, WindingRule::nonzero)),
+              exact_area(triangulate_with_crossings(polygon, WindingRule::positive)) +
+                  exact_area(triangulate_with_crossings(reversed, WindingRule::positive)));
+    try {
+      for (const WindingRule rule : {WindingRule::odd, WindingRule::nonzero, WindingRule::positive})
+        EXPECT_EQ(exact_area(triangulate_with_crossings(polygon, rule)),
+                  twice_area(polygon.vertices, triangulate(polygon, rule)));
+    } catch (const CrossingSegments&) {
+    }
+  }
+}
+
 TEST(TriangulatePolygon, StarsOfManyRays) {
   Polygon2 star;
   Entropy entropy(46);

@@ -10,10 +10,12 @@
 // the rings' edges (delaunay.hpp), seen along an axis where the polygon is in space; so they are unique.  (4) In the
 // plane triangles turn counterclockwise; in space as the rings wind around them, so that the polygon keeps its side.
 // Rings may nest, touch, share edges and turn back on themselves; where edges cross between vertices, CrossingSegments
-// is thrown, with edge i from vertex i on.  A ring of fewer than three vertices throws InvalidShape, as does a polygon
-// in space that is not planar; a coordinate that is NaN or infinite NonFinite.
+// is thrown, with edge i from vertex i on, or they are divided there by triangulate_with_crossings.  A ring of fewer
+// than three vertices throws InvalidShape, as does a polygon in space that is not planar; a coordinate that is NaN or
+// infinite NonFinite.
 // Source: RTCD 12.5.1, 12.5.1.1; docs/triangulation.md.
-// Cost: n log n expected.  Bounded by n^2 signs.
+// Cost: n log n expected; with crossings that of arrange_segments.  Bounded by n^2 signs, with
+// crossings by n^4 signs.
 #pragma once
 
 #include <array>
@@ -41,5 +43,15 @@ CornerTriangles triangulate(std::span<const Point2> points, std::span<const std:
                             WindingRule rule = WindingRule::odd);
 CornerTriangles triangulate(std::span<const Point3> points, std::span<const std::uint32_t> first,
                             WindingRule rule = WindingRule::odd);
+
+/// Triangles between exact points, which are in lexicographic order.
+struct ExactTriangles {
+  std::vector<ExactPoint2> vertices;
+  CornerTriangles triangles;
+};
+
+/// Edges that cross are divided where they do.  Vertices are those of arrange_segments.
+ExactTriangles triangulate_with_crossings(const Polygon2& polygon, WindingRule rule = WindingRule::odd);
+ExactTriangles triangulate_with_crossings(const HoledPolygon2& polygon, WindingRule rule = WindingRule::odd);
 
 }  // namespace plumb
