@@ -164,26 +164,27 @@ class FacingSearch {
       if (!turn) turn = lengths == 7 ? ask_(sparse_dot(of[m]->normal, w[may[m]])) : Sign::zero;
       return *turn;
     };
-    std::optional<std::size_t> likely;  // a guess: others are left out where this one is better for certain
+    // A guess, or `count` for none: others are left out where this one is better for certain.
+    std::size_t likely = count;
     if constexpr (can_guess) {
       for (std::size_t m = 0; m < count && count > 1; ++m) {
-        if (!likely || rough(of[m]->along_square) * rough(of[*likely]->square) >
-                           rough(of[*likely]->along_square) * rough(of[m]->square)) {
+        if (likely == count || rough(of[m]->along_square) * rough(of[likely]->square) >
+                                   rough(of[likely]->along_square) * rough(of[m]->square)) {
           likely = m;
         }
       }
     }
-    if (likely) {
+    if (likely != count) {
       CertainSigns ask;
-      const Sign side = ask(of[*likely]->along), turned = turn_of(*likely);
-      const bool is_out = side != Sign::zero && (turned == Sign::zero || side * turned == upper(may[*likely]));
-      if (!ask.certain() || !is_out) likely.reset();
+      const Sign side = ask(of[likely]->along), turned = turn_of(likely);
+      const bool is_out = side != Sign::zero && (turned == Sign::zero || side * turned == upper(may[likely]));
+      if (!ask.certain() || !is_out) likely = count;
     }
     Best best;
     for (std::size_t m = 0; m < count; ++m) {
       const Index k = may[m];
       const Normal& n = *of[m];
-      if (likely && m != *likely && is_worse(n, *of[*likely])) continue;
+      if (likely != count && m != likely && is_worse(n, *of[likely])) continue;
       const Sign side = ask_(n.along);
       if (side == Sign::zero || (turn_of(m) != Sign::zero && side * *turn != upper(k))) continue;
       if (count > 1 && !is_better(best, n)) continue;
