@@ -162,7 +162,7 @@ class Moving {
     handles_[id] = world_.insert(box);
     ids_[handles_[id]] = id;
   }
-  void move(Id id, const Aabb3& box) { world_.update(handles_.at(id), box); }
+  void move(Id id, const Aabb3& box) { world_.move(handles_.at(id), box); }
   void remove(Id id) {
     const BoxHandle handle = handles_.at(id);
     world_.remove(handle);
@@ -195,7 +195,7 @@ class Moving {
     for (const HandlePair& p : changes.added) expect(pairs_.insert(named(p)).second, "MovingBoxes", "added one had");
     expect(std::ranges::equal(pairs_, all_pairs(boxes)), "MovingBoxes", "the pairs differ");
     IdPairs all;
-    for (const HandlePair& p : world_.pairs()) all.push_back(named(p));
+    for (const HandlePair& p : world_.overlapping_pairs()) all.push_back(named(p));
     std::ranges::sort(all);
     expect(std::ranges::equal(pairs_, all) && world_.size() == boxes.size(), "MovingBoxes", "pairs() differ");
   }
@@ -277,14 +277,19 @@ void run(Entropy& e) {
   const auto check = [&] {
     const Aabb3 box = some_box(e, scale);
     moving.check(boxes, box);
-    const auto pairs = [](const auto& index) { return index.pairs(); };
+    const auto pairs = [](const auto& index) { return index.overlapping_pairs(); };
     hierarchical.check_pairs(pairs), rows.check_pairs(pairs), hashed.check_pairs(pairs), linked.check_pairs(pairs);
     implicit.check_pairs(pairs), lists.check_pairs(pairs), list.check_pairs(pairs);
     std::vector<Aabb3> now;
     for (const auto& [id, b] : boxes) now.push_back(b);
-    expect(array.pairs(now) == sort_and_sweep_pairs(now), "SweepArray", "the pairs differ from those from scratch");
+    expect(array.overlapping_pairs(now) == sort_and_sweep_pairs(now), "SweepArray",
+           "the pairs differ from those from scratch");
     for (const bool touching : {true, false}) {
-      loose.check_pairs([&](const LooseOctree& t) { return t.pairs({touching, Execution::serial}); }, touching);
+      loose.check_pairs(
+          [&](const LooseOctree& t) {
+            return t.overlapping_pairs({touching, Execution::serial});
+          },
+          touching);
     }
     hierarchical.check_in_box(box), rows.check_in_box(box), implicit.check_in_box(box), loose.check_in_box(box);
     if (scale == Scale::any || scale == Scale::spread) return;  // which reach into too many cells

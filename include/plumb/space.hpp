@@ -23,6 +23,7 @@
 #include "plumb/space/bvh/compact_file.hpp"    // that in a file
 #include "plumb/space/bvh/compact_tree.hpp"    // of a mesh, in half of the memory
 #include "plumb/space/bvh/insertion_tree.hpp"  // of what comes and goes
+#include "plumb/space/bvh/mesh_view.hpp"       // of a mesh, kept and standing in any way
 #include "plumb/space/bvh/posed_mesh.hpp"      // of a mesh that has been moved
 #include "plumb/space/bvh/refit.hpp"           // for what moves
 #include "plumb/space/bvh/sphere_tree.hpp"     // of spheres, ever finer, that cover a surface
@@ -31,6 +32,7 @@
 #include "plumb/space/bvh/volume_mesh.hpp"     // with the mesh that they stand for
 #include "plumb/space/bvh/volume_rules.hpp"    // what a volume must answer for that
 #include "plumb/space/bvh/volume_tree.hpp"     // of spheres, oriented boxes, k-DOPs, or your own volumes
+#include "plumb/space/bvh/walked_cells.hpp"    // of cells along a ray: those it touches, or is in
 #include "plumb/space/bvh/wide_tree.hpp"       // with eight children a node
 
 // How is it asked?  descend and its kin
@@ -49,11 +51,9 @@
 #include "plumb/space/closest/posed_hausdorff.hpp"    // their surfaces' deviation
 
 // When does what moves meet first?  first_contact; what meets at all?  contacts_in_motion
-#include "plumb/space/moving/motion_contacts.hpp"    // a mesh whose vertices move, itself
-#include "plumb/space/moving/moving_mesh.hpp"        // such a mesh
-#include "plumb/space/moving/posed_motion.hpp"       // one that moves from pose to pose
-#include "plumb/space/moving/posed_translating.hpp"  // meshes that have been moved before, along a line
-#include "plumb/space/moving/translating_mesh.hpp"   // a mesh along a line, another
+#include "plumb/space/moving/motion_contacts.hpp"   // a mesh whose vertices move, itself
+#include "plumb/space/moving/moving_mesh.hpp"       // such a mesh
+#include "plumb/space/moving/translating_mesh.hpp"  // a mesh along a line, another
 
 // Which boxes overlap?  overlapping_pairs, choose_index
 #include "plumb/space/broad_phase/choose_index.hpp"       // which method for these?
@@ -63,6 +63,7 @@
 #include "plumb/space/pairs/brute_force_pairs.hpp"        // by asking each pair
 #include "plumb/space/pairs/float_boxes.hpp"              // of float32
 #include "plumb/space/pairs/pair_sink.hpp"                // where pairs go
+#include "plumb/space/sort_and_sweep/index_verbs.hpp"     // the same words for all of them
 #include "plumb/space/sort_and_sweep/sort_and_sweep.hpp"  // along one axis, from scratch
 #include "plumb/space/sort_and_sweep/sweep_array.hpp"     // with an order that is kept
 #include "plumb/space/sort_and_sweep/sweep_lists.hpp"     // by linked lists
@@ -80,15 +81,13 @@
 #include "plumb/space/cells/portal_cells.hpp"  // convex cells, and portals in their faces
 #include "plumb/space/cells/visibility.hpp"    // what is seen from a place, or from anywhere in a cell
 
-// Which triangles meet?  intersecting_pairs, self_intersecting_pairs
+// Which triangles meet?  intersecting_pairs, intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself
 #include "plumb/space/pairs/neighbors.hpp"      // two triangles of one mesh, beyond what they share
-#include "plumb/space/pairs/posed_pairs.hpp"    // of meshes that have been moved
 #include "plumb/space/pairs/sphere_levels.hpp"  // do they at all, and how far are they?  As well as spheres can say
 #include "plumb/space/pairs/volume_pairs.hpp"   // by spheres, oriented boxes or k-DOPs
 
-// What of a mesh is in a box, a ball, a frustum?  triangles_meeting
-#include "plumb/space/range/posed_range.hpp"   // of one that has been moved
+// What of a mesh is in a box, a ball, a frustum?  meeting
 #include "plumb/space/range/range_search.hpp"  // by a tree
 #include "plumb/space/range/volume_range.hpp"  // by a tree of other volumes, and in any figure
 
@@ -108,7 +107,7 @@
 #include "plumb/space/kd_tree/split_tree.hpp"      // a k-d tree of figures
 
 // What is kept from frame to frame?  PairFront, LastPair, LastTriangle; what is asked
-// together?  grouped_triangles_meeting
+// together?  grouped_meeting
 #include "plumb/space/coherence/grouped_range.hpp"  // shapes that lie near each other
 #include "plumb/space/coherence/kept_range.hpp"     // the triangles around what moves little
 #include "plumb/space/coherence/last_answer.hpp"    // the triangles that answered last
@@ -118,8 +117,7 @@
 
 // Where does a ray hit?
 #include "plumb/space/ray/inside.hpp"      // is a point in a closed mesh?  locate, winding_number
-#include "plumb/space/ray/mesh_ray.hpp"    // a mesh: first_hit, hits, ordered_hits, count_hits
-#include "plumb/space/ray/posed_ray.hpp"   // a mesh that has been moved; and is a point in it?
+#include "plumb/space/ray/mesh_ray.hpp"    // a mesh: first_hit, any_hit, hits, count_hits
 #include "plumb/space/ray/ray_slabs.hpp"   // the slab test, for descents of one's own
 #include "plumb/space/ray/shape_ray.hpp"   // shapes of any kind
 #include "plumb/space/ray/volume_ray.hpp"  // a mesh, by spheres, oriented boxes or k-DOPs

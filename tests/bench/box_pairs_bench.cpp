@@ -174,7 +174,7 @@ void move_world(benchmark::State& state, std::size_t every, double step) {
     of_moved.clear(), boxes.clear();
     for (const std::size_t i : frames.next()) of_moved.push_back(handles[i]), boxes.push_back(frames.boxes()[i]);
     state.ResumeTiming();
-    world.update(of_moved, boxes);
+    world.move(of_moved, boxes);
     const BoxPairChanges& changes = world.changes();
     changed += changes.added.size() + changes.lost.size();
     anew += changes.work.made_anew ? 1 : 0;
@@ -193,13 +193,13 @@ BENCHMARK_CAPTURE(move_world, one_percent_jumps, 100, 20.0)->Unit(benchmark::kMi
 void move_sweep(benchmark::State& state) {
   Frames frames(3000, 1, 0.1);
   SweepArray sweep;
-  sweep.pairs(frames.boxes());
+  sweep.overlapping_pairs(frames.boxes());
   std::size_t pairs = 0;
   for (auto _ : state) {
     state.PauseTiming();
     frames.next();
     state.ResumeTiming();
-    pairs = sweep.pairs(frames.boxes()).size();
+    pairs = sweep.overlapping_pairs(frames.boxes()).size();
   }
   count_each(state, frames.boxes().size(), pairs);
 }

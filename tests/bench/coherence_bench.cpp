@@ -205,12 +205,12 @@ void add_rays(const std::shared_ptr<Scene>& s) {
   using Memory = std::vector<LastTriangle>;
   add("hits/1000_rays/search", [=] {
     return [=](int i, Work& w) {
-      for (std::size_t k = 0; k < rays; ++k) w.answers += hits(ray(i, k), s->moving[i]) ? 1 : 0;
+      for (std::size_t k = 0; k < rays; ++k) w.answers += any_hit(s->moving[i], ray(i, k)) ? 1 : 0;
     };
   });
   add("hits/1000_rays/last", [=] {
     return [=, last = std::make_shared<Memory>(rays)](int i, Work& w) {
-      for (std::size_t k = 0; k < rays; ++k) w.answers += hits(ray(i, k), s->moving[i], (*last)[k]) ? 1 : 0;
+      for (std::size_t k = 0; k < rays; ++k) w.answers += any_hit(s->moving[i], ray(i, k), (*last)[k]) ? 1 : 0;
     };
   });
 }
@@ -232,16 +232,15 @@ void add_swarm(const std::shared_ptr<Scene>& s, double size, std::size_t across)
     for (const auto& f : found) n += f.size();
     return n;
   };
-  add(name + "/each", [=] {
-    return [=](int i, Work& w) { w.answers += counted(triangles_meeting(s->moving[i], asked(), one_thread)); };
-  });
+  add(name + "/each",
+      [=] { return [=](int i, Work& w) { w.answers += counted(meeting(s->moving[i], asked(), one_thread)); }; });
   add(name + "/grouped", [=] {
-    return [=](int i, Work& w) { w.answers += counted(grouped_triangles_meeting(s->moving[i], asked(), one_thread)); };
+    return [=](int i, Work& w) { w.answers += counted(grouped_meeting(s->moving[i], asked(), one_thread)); };
   });
   add(name + "/any_retested", [=] {
     return [=](int i, Work& w) {
       std::vector<std::uint32_t> any;
-      for (const auto& f : grouped_triangles_meeting(s->moving[i], asked(), one_thread))
+      for (const auto& f : grouped_meeting(s->moving[i], asked(), one_thread))
         any.insert(any.end(), f.begin(), f.end());
       std::ranges::sort(any);
       any.erase(std::unique(any.begin(), any.end()), any.end());
@@ -250,7 +249,7 @@ void add_swarm(const std::shared_ptr<Scene>& s, double size, std::size_t across)
   });
   add(name + "/any_stamped", [=] {
     return [=, seen = std::make_shared<VisitStamps>()](int i, Work& w) {
-      w.answers += triangles_meeting_any(s->moving[i], asked(), *seen).size();
+      w.answers += meeting_any(s->moving[i], asked(), *seen).size();
     };
   });
 }

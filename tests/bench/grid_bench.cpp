@@ -148,7 +148,7 @@ void all_pairs(benchmark::State& state, const std::string& kind, const Build& bu
   std::size_t found = 0, bytes = 0, built = 0;
   for (auto _ : state) {
     const auto made = build(boxes);
-    found = made.pairs(one_thread).size();
+    found = made.overlapping_pairs(one_thread).size();
     bytes = made.memory();
     built += boxes.size();
   }

@@ -84,9 +84,9 @@ void ask(benchmark::State& state, std::uint32_t side, bool camera, bool together
   std::vector<std::uint32_t> first(rays.size());
   for (auto _ : state) {
     if (together) {
-      first_triangles(rays, bvh, first, {.execution = Execution::serial});
+      first_triangle(bvh, rays, first, {.execution = Execution::serial});
     } else {
-      for (std::size_t i = 0; i < rays.size(); ++i) first[i] = first_triangle(rays[i], bvh).value_or(no_triangle);
+      for (std::size_t i = 0; i < rays.size(); ++i) first[i] = first_triangle(bvh, rays[i]).value_or(no_triangle);
     }
     benchmark::DoNotOptimize(first.data());
   }

@@ -115,7 +115,7 @@ void shoot_needles(benchmark::State& state) {
     rays.emplace_back(Ray3{a, {b.x - a.x, b.y - a.y, b.z - a.z}});
   }
   std::vector<std::uint32_t> first(rays.size());
-  for (auto _ : state) first_triangles(rays, bvh, first, {.execution = Execution::serial});
+  for (auto _ : state) first_triangle(bvh, rays, first, {.execution = Execution::serial});
   state.counters["rays"] = benchmark::Counter(
       static_cast<double>(rays.size()) * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
   state.counters["cost"] = cost_of(bvh.tree).total(1, 0.5);

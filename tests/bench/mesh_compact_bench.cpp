@@ -73,7 +73,7 @@ void rays(benchmark::State& state) {
   const Mesh& tree = tree_of(trees, static_cast<const Mesh*>(nullptr));
   const std::vector<AnyRay> asked = rays_of(camera);
   std::vector<std::uint32_t> out(asked.size());
-  for (auto _ : state) first_triangles(asked, tree, out, {.execution = Execution::serial});
+  for (auto _ : state) first_triangle(tree, asked, out, {.execution = Execution::serial});
   report(state, trees, tree, asked.size());
 }
 
@@ -106,7 +106,7 @@ void boxes(benchmark::State& state) {
     asked.push_back({{p.x - 0.01, p.y - 0.01, p.z - 0.01}, {p.x + 0.01, p.y + 0.01, p.z + 0.01}});
   }
   for (auto _ : state) {
-    benchmark::DoNotOptimize(triangles_meeting(tree, std::span<const Aabb3>(asked), {.execution = Execution::serial}));
+    benchmark::DoNotOptimize(meeting(tree, std::span<const Aabb3>(asked), {.execution = Execution::serial}));
   }
   report(state, trees, tree, asked.size());
 }

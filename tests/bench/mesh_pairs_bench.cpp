@@ -148,7 +148,7 @@ void add_mesh(std::uint32_t around) {
     });
 #endif
   }
-  add_pairs("mesh_pairs/itself/" + size + "/plumb", n, [=] { return self_intersecting_pairs(*bvh, serial).size(); });
+  add_pairs("mesh_pairs/itself/" + size + "/plumb", n, [=] { return intersecting_pairs(*bvh, serial).size(); });
 }
 
 /// On itself as it is, where each pair is exactly degenerate.

@@ -97,7 +97,7 @@ void first_of_plumb(benchmark::State& state) {
   const auto aim = static_cast<Aim>(state.range(1));
   const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
   std::vector<std::uint32_t> out(rays.size());
-  for (auto _ : state) first_triangles(rays, scene.bvh, out, {.execution = Execution::serial});
+  for (auto _ : state) first_triangle(scene.bvh, rays, out, {.execution = Execution::serial});
   report(state, rays.size(), rays.size() - static_cast<std::size_t>(std::count(out.begin(), out.end(), no_triangle)));
   state.counters["bytes"] =
       static_cast<double>(memory_of(scene.bvh)) / static_cast<double>(scene.mesh.triangles.size());
@@ -108,7 +108,7 @@ void numbers_of_plumb(benchmark::State& state) {
   const auto aim = static_cast<Aim>(state.range(1));
   const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
   std::vector<std::optional<NumberedHit>> out(rays.size());
-  for (auto _ : state) first_hits(rays, scene.bvh, out, {.execution = Execution::serial});
+  for (auto _ : state) first_hit(scene.bvh, rays, out, {.execution = Execution::serial});
   report(
       state, rays.size(),
       static_cast<std::size_t>(std::count_if(out.begin(), out.end(), [](const auto& hit) { return hit.has_value(); })));
@@ -119,7 +119,7 @@ void any_of_plumb(benchmark::State& state) {
   const auto aim = static_cast<Aim>(state.range(1));
   const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
   std::vector<std::uint8_t> out(rays.size());
-  for (auto _ : state) hits(rays, scene.bvh, out, {.execution = Execution::serial});
+  for (auto _ : state) any_hit(scene.bvh, rays, out, {.execution = Execution::serial});
   report(state, rays.size(), static_cast<std::size_t>(std::count(out.begin(), out.end(), 1)));
 }
 
@@ -141,9 +141,9 @@ void first_of_posed(benchmark::State& state, bool together) {
   std::vector<std::uint32_t> out(rays.size());
   for (auto _ : state) {
     if (together) {
-      first_triangles(rays, mesh, out, {.execution = Execution::serial});
+      first_triangle(mesh, rays, out, {.execution = Execution::serial});
     } else {
-      for (std::size_t i = 0; i < rays.size(); ++i) out[i] = first_triangle(rays[i], mesh).value_or(no_triangle);
+      for (std::size_t i = 0; i < rays.size(); ++i) out[i] = first_triangle(mesh, rays[i]).value_or(no_triangle);
     }
   }
   report(state, rays.size(), rays.size() - static_cast<std::size_t>(std::count(out.begin(), out.end(), no_triangle)));

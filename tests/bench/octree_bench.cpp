@@ -79,7 +79,7 @@ void locate_all_cgal(benchmark::State& state, Spread spread) {
   count(state, points.size());
 }
 
-void walk(benchmark::State& state, CellWalk how) {
+void walk(benchmark::State& state, WalkedCells how) {
   const auto points = points_of(Spread::uniform, state.range(0));
   const PointOctree tree = build_octree(points, options_of(state));
   std::size_t leaves = 0, i = 0;
@@ -106,7 +106,7 @@ void loose_pairs(benchmark::State& state) {
   for (auto _ : state) {
     LooseOctree tree(Aabb3{{0, 0, 0}, {2, 2, 2}});
     for (const Aabb3& box : boxes) tree.insert(box);
-    benchmark::DoNotOptimize(tree.pairs({.execution = Execution::serial}).data());
+    benchmark::DoNotOptimize(tree.overlapping_pairs({.execution = Execution::serial}).data());
   }
   count(state, boxes.size());
 }
@@ -136,8 +136,8 @@ BENCHMARK_CAPTURE(locate_all, uniform, Spread::uniform)->Args({many, 8})->Args({
 BENCHMARK_CAPTURE(locate_all_cgal, uniform, Spread::uniform)->Args({many, 8})->Args({many, 20});
 BENCHMARK_CAPTURE(locate_all, clustered, Spread::clustered)->Args({many, 20});
 BENCHMARK_CAPTURE(locate_all_cgal, clustered, Spread::clustered)->Args({many, 20});
-BENCHMARK_CAPTURE(walk, half_open, CellWalk::half_open)->Args({many, 8});
-BENCHMARK_CAPTURE(walk, closed, CellWalk::closed)->Args({many, 8});
+BENCHMARK_CAPTURE(walk, half_open, WalkedCells::half_open)->Args({many, 8});
+BENCHMARK_CAPTURE(walk, closed, WalkedCells::closed)->Args({many, 8});
 BENCHMARK_CAPTURE(pairs, smallest_cell, CellRule::smallest_cell)->Args({many, 8});
 BENCHMARK_CAPTURE(pairs, every_leaf, CellRule::every_leaf)->Args({many, 8})->Args({many, 20});
 BENCHMARK(loose_pairs)->Args({many});

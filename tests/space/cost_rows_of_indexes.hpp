@@ -16,7 +16,7 @@ void come_and_move(Index&& index, const Cloud& c) {
   std::vector<std::uint32_t> handles;
   for (const Aabb3& b : c.boxes) handles.push_back(index.insert(b));
   for (std::size_t i = 0; i < handles.size(); ++i) index.move(handles[i], c.boxes[(i + 1) % handles.size()]);
-  (void)index.pairs();
+  (void)index.overlapping_pairs();
 }
 
 /// Of a strip, which have no vertex in common.
@@ -81,24 +81,24 @@ inline const CostRow rows_of_indexes[]{
     {"first_hit of a mesh", "space/ray/mesh_ray.hpp", linear, 100,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
-       for (const Point3& p : asked_points(c)) (void)first_hit(Ray3{c.b[0], vector(p)}, bvh);
+       for (const Point3& p : asked_points(c)) (void)first_hit(bvh, Ray3{c.b[0], vector(p)});
      }},
-    {"first_hit of a posed mesh", "space/ray/posed_ray.hpp", linear, 200,
+    {"first_hit of a posed mesh", "space/ray/mesh_ray.hpp", linear, 200,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
-       for (const Point3& p : asked_points(c)) (void)first_hit(Ray3{c.b[0], vector(p)}, PosedMesh{bvh, pose(c.b)});
+       for (const Point3& p : asked_points(c)) (void)first_hit(PosedMesh{bvh, pose(c.b)}, Ray3{c.b[0], vector(p)});
      }},
     {"winding_number of a mesh", "space/ray/inside.hpp", linear, 20,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        for (const Point3& p : asked_points(c)) (void)winding_number(bvh, p);
      }},
-    {"triangles_meeting", "space/range/range_search.hpp", linear, 100,
-     [](const Cloud& c) { (void)triangles_meeting(build_bvh(c.mesh), capsule(c.b)); }, 72, 1},
-    {"triangles_meeting, posed", "space/range/posed_range.hpp", linear, 100,
+    {"meeting", "space/range/range_search.hpp", linear, 100,
+     [](const Cloud& c) { (void)meeting(build_bvh(c.mesh), capsule(c.b)); }, 72, 1},
+    {"meeting, posed", "space/range/range_search.hpp", linear, 100,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
-       (void)triangles_meeting(PosedMesh{bvh, pose(c.b)}, capsule(c.b));
+       (void)meeting(PosedMesh{bvh, pose(c.b)}, capsule(c.b));
      },
      72, 1},
     {"closest_on_mesh", "space/closest/closest_on_mesh.hpp", sorting, 100,
@@ -126,7 +126,7 @@ inline const CostRow rows_of_indexes[]{
      72, 1},
     {"intersecting_pairs", "space/pairs/mesh_pairs.hpp", quadratic, 100,
      [](const Cloud& c) { (void)intersecting_pairs(build_bvh(c.mesh), build_bvh(c.other)); }},
-    {"intersecting_pairs, posed", "space/pairs/posed_pairs.hpp", quadratic, 500,
+    {"intersecting_pairs, posed", "space/pairs/mesh_pairs.hpp", quadratic, 500,
      [](const Cloud& c) {
        const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
        (void)intersecting_pairs(PosedMesh{a, pose(c.b)}, PosedMesh{b, identity_pose});
@@ -142,16 +142,16 @@ inline const CostRow rows_of_indexes[]{
     {"contacts_in_motion", "space/moving/motion_contacts.hpp", quadratic, 1000,
      [](const Cloud& c) { (void)contacts_in_motion(build_moving_mesh(c.a, c.b, each_third(c.mesh.triangles))); }, 36,
      1},
-    {"first_contact, posed mesh", "space/moving/posed_translating.hpp", quadratic_log, 500,
+    {"first_contact, posed mesh", "space/moving/translating_mesh.hpp", quadratic_log, 500,
      [](const Cloud& c) {
        const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
        (void)first_contact(PosedMesh{a, pose(c.b)}, vector(c.a[0]), PosedMesh{b, identity_pose});
      },
      18, 1},
-    {"contacts_in_motion, posed", "space/moving/posed_motion.hpp", quadratic, 1000,
+    {"contacts_in_motion, posed", "space/moving/motion_contacts.hpp", quadratic, 1000,
      [](const Cloud& c) {
        const MovingMesh mesh = build_moving_mesh(c.a, c.b, each_third(c.mesh.triangles));
-       (void)contacts_in_motion(PosedMovingMesh{mesh, identity_pose, pose(c.b)});
+       (void)contacts_in_motion(MovingMeshView{mesh, identity_pose, pose(c.b)});
      },
      9, 1},
     {"build_moving_mesh", "space/moving/moving_mesh.hpp", quadratic, 5,
@@ -162,13 +162,13 @@ inline const CostRow rows_of_indexes[]{
        (void)hausdorff_distance(PosedMesh{a, pose(c.b)}, PosedMesh{b, identity_pose}, {.execution = Execution::serial});
      },
      18, 1},
-    {"grouped_triangles_meeting", "space/coherence/grouped_range.hpp", linear, 20,
-     [](const Cloud& c) { (void)grouped_triangles_meeting(build_bvh(c.mesh), std::span(c.boxes).first(9)); }},
+    {"grouped_meeting", "space/coherence/grouped_range.hpp", linear, 20,
+     [](const Cloud& c) { (void)grouped_meeting(build_bvh(c.mesh), std::span(c.boxes).first(9)); }},
     {"KeptRange", "space/coherence/kept_range.hpp", linear, 20,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        KeptRange kept(bvh);
-       for (int i = 0; i < 3; ++i) (void)kept.triangles_meeting(c.boxes[0]);
+       for (int i = 0; i < 3; ++i) (void)kept.meeting(c.boxes[0]);
      }},
     {"LastPair", "space/coherence/last_answer.hpp", quadratic_log, 100,
      [](const Cloud& c) {
@@ -207,16 +207,16 @@ inline const CostRow rows_of_indexes[]{
        const auto balls_a = build_volume_tree<Sphere3>(a), balls_b = build_volume_tree<Sphere3>(b);
        (void)intersecting_pairs(VolumeMesh{a, balls_a}, VolumeMesh{b, balls_b});
      }},
-    {"triangles_meeting by volumes", "space/range/volume_range.hpp", linear, 50,
+    {"meeting by volumes", "space/range/volume_range.hpp", linear, 50,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
-       (void)triangles_meeting(bvh, build_volume_tree<Sphere3>(bvh), Segment3{c.b[0], c.b[1]});
+       (void)meeting(bvh, build_volume_tree<Sphere3>(bvh), Segment3{c.b[0], c.b[1]});
      }},
     {"first_hit by volumes", "space/ray/volume_ray.hpp", linear, 50,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        const auto volumes = build_volume_tree<Sphere3>(bvh);
-       (void)first_hit(Ray3{c.b[0], vector(c.b[1])}, VolumeMesh{bvh, volumes});
+       (void)first_hit(VolumeMesh{bvh, volumes}, Ray3{c.b[0], vector(c.b[1])});
      }},
     {"distance_bounds", "space/pairs/sphere_levels.hpp", quadratic_log, 200,
      [](const Cloud& c) {
@@ -247,14 +247,14 @@ inline const CostRow rows_of_indexes[]{
     {"sort_and_sweep_pairs", "space/sort_and_sweep/sort_and_sweep.hpp", quadratic, 1,
      [](const Cloud& c) { (void)sort_and_sweep_pairs(c.boxes, {.execution = Execution::serial}); }},
     {"SweepArray", "space/sort_and_sweep/sweep_array.hpp", quadratic, 1,
-     [](const Cloud& c) { (void)SweepArray().pairs(c.boxes); }},
+     [](const Cloud& c) { (void)SweepArray().overlapping_pairs(c.boxes); }},
     {"SweepLists", "space/sort_and_sweep/sweep_lists.hpp", quadratic, 5,
      [](const Cloud& c) {
        SweepLists lists;
        std::vector<std::uint32_t> numbers;
        for (const Aabb3& b : c.boxes) numbers.push_back(lists.insert(b));
        for (std::size_t i = 0; i < numbers.size(); ++i) lists.move(numbers[i], c.boxes[(i + 1) % numbers.size()]);
-       (void)lists.pairs();
+       (void)lists.overlapping_pairs();
      }},
     {"HierarchicalGrid", "space/grid/hierarchical_grid.hpp", quadratic, 5,
      [](const Cloud& c) { come_and_move(HierarchicalGrid3(), c); }},
@@ -265,7 +265,7 @@ inline const CostRow rows_of_indexes[]{
     {"HashedGrid", "space/grid/list_grid.hpp", quadratic, 20,
      [](const Cloud& c) { come_and_move(HashedGrid3(0.5), c); }},
     {"StaticGrid", "space/grid/static_grid.hpp", quadratic, 20,
-     [](const Cloud& c) { (void)StaticGrid3(c.boxes).pairs(); }},
+     [](const Cloud& c) { (void)StaticGrid3(c.boxes).overlapping_pairs(); }},
     {"LooseOctree", "space/octree/loose_octree.hpp", quadratic, 5,
      [](const Cloud& c) { come_and_move(LooseOctree(fit_aabb(c.a)), c); }},
     {"build_octree, boxes", "space/octree/box_octree.hpp", quadratic, 5,
@@ -286,20 +286,22 @@ inline const CostRow rows_of_indexes[]{
        MovingBoxes world;
        const std::vector<BoxHandle> handles = world.insert(c.boxes);
        (void)world.changes();
-       for (std::size_t i = 0; i < handles.size(); ++i) world.update(handles[i], c.boxes[(i + 1) % handles.size()]);
-       (void)world.changes(), (void)world.pairs();
+       for (std::size_t i = 0; i < handles.size(); ++i) world.move(handles[i], c.boxes[(i + 1) % handles.size()]);
+       (void)world.changes(), (void)world.overlapping_pairs();
      }},
     {"GridWalk", "space/grid/grid_walk.hpp", fixed, 5,
      [](const Cloud& c) {
        const CellGrid3 grid{c.a[0], {std::fabs(c.a[1].x), std::fabs(c.a[1].y), std::fabs(c.a[1].z)}};
-       GridWalk<3> walk(grid, Ray3{c.b[0], vector(c.b[1])}, {.range = {{-4, -4, -4}, {4, 4, 4}}});
+       GridWalk<3> walk(grid, Ray3{c.b[0], vector(c.b[1])},
+                        {.cells = WalkedCells::half_open, .range = {{-4, -4, -4}, {4, 4, 4}}});
        while (walk.next()) {
        }
      }},
     {"cells_along in an octree", "space/octree/cell_walk.hpp", sorting, 5,
      [](const Cloud& c) {
        const auto tree = build_octree(c.a);
-       for (const Point3& p : asked_points(c)) (void)cells_along(tree.cells, Ray3{c.b[0], vector(p)}, CellWalk::closed);
+       for (const Point3& p : asked_points(c))
+         (void)cells_along(tree.cells, Ray3{c.b[0], vector(p)}, WalkedCells::closed);
      }},
     // points and figures
     {"cells_along in a kd-tree", "space/kd_tree/cells_along.hpp", linear, 5,
@@ -307,12 +309,12 @@ inline const CostRow rows_of_indexes[]{
        const KdTree3 tree = build_kd_tree(c.a);
        for (const Point3& p : asked_points(c)) (void)cells_along(tree, Ray3{c.b[0], vector(p)});
      }},
-    {"first_item_hit", "space/ray/shape_ray.hpp", sorting, 20,
+    {"first_hit of items", "space/ray/shape_ray.hpp", sorting, 20,
      [](const Cloud& c) {
        const BoxTree tree = build_box_tree(c.boxes);
        for (const Point3& p : asked_points(c)) {
          const Ray3 ray{c.b[0], vector(p)};
-         (void)first_item_hit(ray, tree, [&](std::uint32_t i) { return first_hit_parameter(ray, c.boxes[i]); });
+         (void)first_hit(tree, ray, [&](std::uint32_t i) { return first_hit_parameter(ray, c.boxes[i]); });
        }
      }},
     {"nearest in a kd-tree", "space/kd_tree/nearest_point.hpp", sorting, 10,

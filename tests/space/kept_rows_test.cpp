@@ -116,7 +116,7 @@ TEST_F(KeptRows, OfPairsOfBoxes) {
 TEST_F(KeptRows, OfIndexesOfBoxes) {
   const auto ask = [&](const char* name, const auto& index) {
     SCOPED_TRACE(name);
-    EXPECT_KEPT(BoxPair, index.pairs({}, KEPT));
+    EXPECT_KEPT(BoxPair, index.overlapping_pairs({}, KEPT));
     EXPECT_KEPT(Number, index.in_box(region, {}, KEPT));
   };
   StaticGrid3 fixed(boxes);
@@ -132,8 +132,8 @@ TEST_F(KeptRows, OfIndexesOfBoxes) {
   ask("hierarchical grid", levels);
   ask("implicit grid", implicit);
   ask("row-column grid", columns);
-  EXPECT_KEPT(BoxPair, lists.pairs(KEPT));
-  EXPECT_KEPT(HandlePair, moving.pairs(KEPT));
+  EXPECT_KEPT(BoxPair, lists.overlapping_pairs(KEPT));
+  EXPECT_KEPT(HandlePair, moving.overlapping_pairs(KEPT));
   EXPECT_KEPT(BoxHandle, moving.in_box(region, {}, KEPT));
 }
 
@@ -159,7 +159,7 @@ TEST_F(KeptRows, OfTreesOfBoxesAndPoints) {
   EXPECT_KEPT(Number, within(tree, Point3{1, 0, 0}, 0.5, KEPT));
   EXPECT_KEPT(NearestPoint, nearest(tree, Point3{1, 0, 0}, 20, Ties::lowest, KEPT));
   EXPECT_KEPT(NearestPoint, nearest(tree, Point3{1, 0, 0}, 20, Ties::all, KEPT));
-  EXPECT_KEPT(Number, cells_along(tree, Ray3{{-9, 0.1, 0.1}, {1, 0, 0}}, KdCells::closed, KEPT));
+  EXPECT_KEPT(Number, cells_along(tree, Ray3{{-9, 0.1, 0.1}, {1, 0, 0}}, WalkedCells::closed, KEPT));
   EXPECT_KEPT(Number, in_box(build_octree(points), region, {}, KEPT));
 }
 
@@ -175,10 +175,10 @@ TEST_F(KeptRows, OfListsOfBatches) {
   EXPECT_EQ(lists.first.data(), first);
   EXPECT_EQ(lists, expected);
   const std::vector<Aabb3> regions(20, region);
-  auto rows = triangles_meeting(mesh, std::span<const Aabb3>(regions), {});
+  auto rows = meeting(mesh, std::span<const Aabb3>(regions), {});
   const auto expected_rows = rows;
   const auto* const inner = rows[7].data();
-  rows = triangles_meeting(mesh, std::span<const Aabb3>(regions), {}, std::move(rows));
+  rows = meeting(mesh, std::span<const Aabb3>(regions), {}, std::move(rows));
   EXPECT_EQ(rows[7].data(), inner);
   EXPECT_EQ(rows, expected_rows);
 }
@@ -190,13 +190,13 @@ TEST_F(KeptRows, OfMeshes) {
     SCOPED_TRACE(name);
     const Point3 p{1, 0.1, 0.1};
     EXPECT_KEPT(TrianglePair, intersecting_pairs(a, b, {}, KEPT));
-    EXPECT_KEPT(TrianglePair, self_intersecting_pairs(a, {}, KEPT));
+    EXPECT_KEPT(TrianglePair, intersecting_pairs(a, {}, KEPT));
     const std::vector<TrianglePair> pairs = intersecting_pairs(a, b);
     EXPECT_KEPT(Intersection3, intersections(a, b, pairs, {}, KEPT));
     EXPECT_KEPT(NearTriangle, nearest_triangles(a, p, 30, KEPT));
     EXPECT_KEPT(NearTriangle, triangles_within(a, p, 0.6, KEPT));
-    EXPECT_KEPT(Number, triangles_meeting(a, Sphere3{p, 0.5}, KEPT));
-    EXPECT_KEPT(NumberedHit, ordered_hits(Ray3{{-9, 0.01, 0.02}, {1, 0, 0}}, a, HitRule::closed, KEPT));
+    EXPECT_KEPT(Number, meeting(a, Sphere3{p, 0.5}, KEPT));
+    EXPECT_KEPT(NumberedHit, hits(a, Ray3{{-9, 0.01, 0.02}, {1, 0, 0}}, HitRule::closed, KEPT));
   };
   ask("mesh", mesh, other);
   ask("compact", compact, compact_other);

@@ -242,7 +242,7 @@ TEST(Shells, AreTheSameInEveryTreeAndOnOneThread) {
     EXPECT_EQ(parallel.crossing, other.crossing);
     EXPECT_EQ(parallel.met, other.met);
   }
-  EXPECT_EQ(parallel.met, count_self_intersecting_pairs(build_bvh(mesh)));
+  EXPECT_EQ(parallel.met, count_intersecting_pairs(build_bvh(mesh)));
 }
 
 /// The definition, pair by pair, of shells that are meshes of their own; coordinates are multiples of four.

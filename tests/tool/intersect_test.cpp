@@ -83,7 +83,7 @@ TEST(Intersect, JsonHoldsThePairsOfTheLibrary) {
     EXPECT_EQ(first.at("pairs").size(), 1u);
     EXPECT_FALSE(first.contains("overlapping"));
   };
-  expect_pairs("a.obj", self_intersecting_pairs(tree_a));
+  expect_pairs("a.obj", intersecting_pairs(tree_a));
   expect_pairs("a.obj b.obj", intersecting_pairs(tree_a, tree_b));
 }
 
@@ -98,7 +98,7 @@ TEST(Intersect, ListsTheFirstTenOrAll) {
   EXPECT_EQ(lines(few.out), 3 + 10 + 2);
   EXPECT_THAT(few.out, AllOf(HasSubstr(" more; --all lists them\n"),
                              HasSubstr("8 vertices lie where another is: triangles that meet there share none")));
-  const std::size_t pairs = self_intersecting_pairs(build_bvh(mesh)).size();
+  const std::size_t pairs = intersecting_pairs(build_bvh(mesh)).size();
   EXPECT_EQ(lines(all.out), static_cast<std::ptrdiff_t>(3 + pairs + 1));
 }
 

@@ -66,7 +66,7 @@ struct Shells {
   std::vector<Shell> shells;
   std::vector<std::uint32_t> shell_of;  // of each triangle
   std::vector<ShellPair> crossing;      // pairs that cross, one of them closed: ascending
-  PairCount met;                        // pairs of triangles, as count_self_intersecting_pairs has them
+  PairCount met;                        // pairs of triangles, as count_intersecting_pairs has them
 };
 
 struct ShellOptions {

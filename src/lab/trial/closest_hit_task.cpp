@@ -99,7 +99,7 @@ class RayBatches final : public Round {
     }
   }
   void answer() override {
-    for (Batch& b : of_mesh_) first_triangles(b.rays, b.bvh, b.first, {.execution = Execution::serial});
+    for (Batch& b : of_mesh_) first_triangle(b.bvh, b.rays, b.first, {.execution = Execution::serial});
   }
   [[nodiscard]] double given(std::size_t i) const override {
     const std::uint32_t first = of_mesh_[places_[i].first].first[places_[i].second];
@@ -169,7 +169,7 @@ Task closest_hit_task() {
       "exact", "ours, one ray at a time", [](const TriangleMesh& m) { return build_bvh(m); },
       [](std::span<const double> q) { return AnyRay(ray_in(q)); },
       [](const Bvh& bvh, const AnyRay& ray) {
-        const auto first = first_triangle(ray, bvh);
+        const auto first = first_triangle(bvh, ray);
         return first ? *first : no_item;
       }));
   task.methods.push_back({"batch", "ours, over spans, one thread",

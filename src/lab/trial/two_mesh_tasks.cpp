@@ -6,7 +6,7 @@
 #include "lab/trial/mesh_questions.hpp"
 #include "lab/trial/plain_tree.hpp"
 #include "plumb/space/closest/closest_triangles.hpp"
-#include "plumb/space/pairs/posed_pairs.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
 
 namespace plumb::lab::trial {
 namespace {

@@ -79,7 +79,7 @@ struct Search {
   /// By a grid that is made.
   template <class Grid>
   void by_grid(const Grid& grid) const {
-    if (is_one_set()) return tell(grid.pairs(pair_options()), 1);
+    if (is_one_set()) return tell(grid.overlapping_pairs(pair_options()), 1);
     ask([&](const Box& box) { return grid.in_box(box, in_box_options()); });
   }
   /// By a grid that boxes are put into.
@@ -102,7 +102,7 @@ struct Search {
   void by_loose_octree() const {
     LooseCells<axes_of<Box>> tree(box_around(a));
     for (const Box& box : a) tree.insert(box);
-    if (is_one_set()) return tell(tree.pairs(pair_options()), 1);
+    if (is_one_set()) return tell(tree.overlapping_pairs(pair_options()), 1);
     ask([&](const Box& box) { return tree.in_box(box, in_box_options()); });
   }
 
@@ -164,7 +164,7 @@ struct Search {
               [&](std::uint32_t i, std::uint32_t j) { return start(i) < start(j) || (start(i) == start(j) && i < j); });
     for (const std::uint32_t i : order) lists.insert(in_space(set[i]));
     std::vector<BoxPair> pairs;
-    for (const BoxPair& p : lists.pairs()) {
+    for (const BoxPair& p : lists.overlapping_pairs()) {
       const auto [i, j] = std::minmax(order[p.a], order[p.b]);
       if (is_one_set() || (i < a.size() && j >= a.size())) pairs.push_back({i, j});
     }

@@ -93,7 +93,7 @@ inline double nanoseconds_of_moving_boxes(SteppedBoxes<Aabb3>& scene) {
     for (const std::uint32_t i : scene.moving()) moved.push_back(scene.boxes()[i]);
   };
   return least_nanoseconds(prepare, [&] {
-    world.update(moving, moved);
+    world.move(moving, moved);
     (void)world.changes();
   });
 }
@@ -109,7 +109,7 @@ double measured_nanoseconds(BroadPhaseMethod method, bool is_kept, std::span<con
   }
   SteppedBoxes<Box> scene(boxes, moving_share);
   const auto by_grid = [&](auto grid) {
-    return nanoseconds_of_moving(std::move(grid), scene, [&](const auto& g) { (void)g.pairs(serial); });
+    return nanoseconds_of_moving(std::move(grid), scene, [&](const auto& g) { (void)g.overlapping_pairs(serial); });
   };
   const auto cell_size = [&](bool is_table) {
     return fitting_cell_size("choose_index", boxes, choose_cell_size(boxes).size, is_table);
@@ -118,8 +118,8 @@ double measured_nanoseconds(BroadPhaseMethod method, bool is_kept, std::span<con
     if (method == Method::swept_columns) return nanoseconds_of_moving_boxes(scene);
     if (method == Method::sort_and_sweep) {
       SweepArray sweep;
-      (void)sweep.pairs(scene.boxes());
-      return least_nanoseconds([&] { scene.step(); }, [&] { (void)sweep.pairs(scene.boxes()); });
+      (void)sweep.overlapping_pairs(scene.boxes());
+      return least_nanoseconds([&] { scene.step(); }, [&] { (void)sweep.overlapping_pairs(scene.boxes()); });
     }
   }
   if (method == Method::linked_grid) return by_grid(LinkedGrid<Box>(box_around(boxes), cell_size(false)));
@@ -128,7 +128,7 @@ double measured_nanoseconds(BroadPhaseMethod method, bool is_kept, std::span<con
   if (method == Method::hierarchical_grid) return by_grid(HierarchicalGrid<Box>());
   if (method == Method::row_column_grid) return by_grid(RowColumnGrid<Box>());
   return nanoseconds_of_moving(LooseCells<axes_of<Box>>(box_around(boxes)), scene,
-                               [&](const auto& tree) { (void)tree.pairs(serial); });
+                               [&](const auto& tree) { (void)tree.overlapping_pairs(serial); });
 }
 
 }  // namespace plumb::space

@@ -111,17 +111,17 @@ void MovingBoxes::remove(const BoxHandle& handle) {
   s.asked.note_removed(handle.slot);
 }
 
-void MovingBoxes::update(const BoxHandle& handle, const Aabb3& box) {
-  update(std::span<const BoxHandle>(&handle, 1), std::span<const Aabb3>(&box, 1));
+void MovingBoxes::move(const BoxHandle& handle, const Aabb3& box) {
+  move(std::span<const BoxHandle>(&handle, 1), std::span<const Aabb3>(&box, 1));
 }
 
-void MovingBoxes::update(std::span<const BoxHandle> handles, std::span<const Aabb3> boxes) {
+void MovingBoxes::move(std::span<const BoxHandle> handles, std::span<const Aabb3> boxes) {
   State& s = *state_;
   if (handles.size() != boxes.size()) {
-    throw UnequalLengths("MovingBoxes::update: handles has " + std::to_string(handles.size()) +
-                         " items, but boxes has " + std::to_string(boxes.size()));
+    throw UnequalLengths("MovingBoxes::move: handles has " + std::to_string(handles.size()) + " items, but boxes has " +
+                         std::to_string(boxes.size()));
   }
-  space::check_boxes("MovingBoxes::update", "boxes", boxes);
+  space::check_boxes("MovingBoxes::move", "boxes", boxes);
   constexpr std::uint8_t seen = 2;  // in this call
   const auto forget = [&](std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) s.updated[handles[i].slot] &= 1;
@@ -132,8 +132,8 @@ void MovingBoxes::update(std::span<const BoxHandle> handles, std::span<const Aab
       const bool is_twice = s.contains(h);
       forget(i);
       const std::string name = "handles[" + std::to_string(i) + "]";
-      if (!is_twice) s.require("MovingBoxes::update", name, h);
-      throw InvalidShape("MovingBoxes::update: " + name + " " + text_of_handle(h) + " is there twice");
+      if (!is_twice) s.require("MovingBoxes::move", name, h);
+      throw InvalidShape("MovingBoxes::move: " + name + " " + text_of_handle(h) + " is there twice");
     }
     s.updated[h.slot] |= seen;
   }
@@ -187,7 +187,7 @@ const BoxPairChanges& MovingBoxes::changes() {
   return s.changes;
 }
 
-std::vector<HandlePair> MovingBoxes::pairs(std::vector<HandlePair> rows) const {
+std::vector<HandlePair> MovingBoxes::overlapping_pairs(std::vector<HandlePair> rows) const {
   const State& s = *state_;
   std::vector<std::uint32_t> slots;
   std::vector<Aabb3> then;
@@ -195,7 +195,8 @@ std::vector<HandlePair> MovingBoxes::pairs(std::vector<HandlePair> rows) const {
     if (s.was_alive[slot] == 0) continue;
     slots.push_back(slot), then.push_back(s.updated[slot] != 0 ? s.boxes_before[slot] : s.boxes[slot]);
   }
-  std::vector<BoxPair> all = overlapping_pairs(then, BroadPhaseOptions{s.options.touching, Execution::serial}), other;
+  std::vector<BoxPair> all = plumb::overlapping_pairs(then, BroadPhaseOptions{s.options.touching, Execution::serial}),
+                       other;
   space::sort_pairs(all, other);  // as those of slots, which ascend
   rows.clear();
   rows.reserve(all.size());

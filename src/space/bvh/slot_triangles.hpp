@@ -10,6 +10,7 @@
 
 #include "plumb/space/bvh/bvh.hpp"
 #include "plumb/space/bvh/compact_tree.hpp"
+#include "plumb/space/bvh/posed_mesh.hpp"
 
 namespace plumb::space {
 
@@ -32,6 +33,15 @@ class SlotTriangles {
   [[nodiscard]] std::uint32_t number(std::size_t slot) const { return numbers_[slot]; }
   [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
     return {vertices_[corners_[3 * slot]], vertices_[corners_[3 * slot + 1]], vertices_[corners_[3 * slot + 2]]};
+  }
+  /// As it stands in a source (mesh_source.hpp) of the mesh.
+  template <class Source>
+  [[nodiscard]] auto of(const Source& source, std::size_t slot) const {
+    if constexpr (requires { source.pose; }) {
+      return PosedTriangle{triangle(slot), source.pose};
+    } else {
+      return triangle(slot);
+    }
   }
   /// By the name that figures in slots have, whatever they are.
   [[nodiscard]] Triangle3 figure(std::size_t slot) const { return triangle(slot); }

@@ -50,7 +50,7 @@ class StandingScene {
   void prepare(Front&, Execution) {}
 
  private:
-  MeshView a_, b_;
+  SlotMesh<Bvh> a_, b_;
   bool is_own_, is_one_frame_;
 };
 

@@ -102,7 +102,7 @@ std::vector<std::vector<std::uint32_t>> found_of_each(const Bvh& mesh, std::span
   const ShapeGroups all = grouped(shapes, options.execution);
   found.resize(shapes.size());
   for (auto& list : found) list.clear();
-  for_parts("triangles_meeting", options.execution, options.progress, all.groups.size(), [&](std::size_t part) {
+  for_parts("meeting", options.execution, options.progress, all.groups.size(), [&](std::size_t part) {
     const ShapeGroup& group = all.groups[part];
     const std::span<const std::uint32_t> members(all.order.data() + group.from, group.to - group.from);
     visit_group(mesh, group.box, [&](std::uint32_t slot, const Aabb3& box) {
@@ -145,22 +145,22 @@ std::vector<std::uint32_t> found_of_any(const Bvh& mesh, std::span<const Shape> 
 }  // namespace space
 
 template <GroupedShape Shape>
-std::vector<std::vector<std::uint32_t>> grouped_triangles_meeting(const Bvh& mesh, std::span<const Shape> shapes,
-                                                                  const RangeOptions& options,
-                                                                  std::vector<std::vector<std::uint32_t>> rows) {
+std::vector<std::vector<std::uint32_t>> grouped_meeting(const Bvh& mesh, std::span<const Shape> shapes,
+                                                        const RangeOptions& options,
+                                                        std::vector<std::vector<std::uint32_t>> rows) {
   return space::found_of_each(mesh, shapes, options, std::move(rows));
 }
 template <GroupedShape Shape>
-std::vector<std::uint32_t> triangles_meeting_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen,
-                                                 std::vector<std::uint32_t> rows) {
+std::vector<std::uint32_t> meeting_any(const Bvh& mesh, std::span<const Shape> shapes, VisitStamps& seen,
+                                       std::vector<std::uint32_t> rows) {
   return space::found_of_any(mesh, shapes, seen, std::move(rows));
 }
 
-#define PLUMB_GROUPED_SHAPE(Shape)                                                                            \
-  template std::vector<std::vector<std::uint32_t>> grouped_triangles_meeting(                                 \
-      const Bvh&, std::span<const Shape>, const RangeOptions&, std::vector<std::vector<std::uint32_t>>);      \
-  template std::vector<std::uint32_t> triangles_meeting_any(const Bvh&, std::span<const Shape>, VisitStamps&, \
-                                                            std::vector<std::uint32_t>);
+#define PLUMB_GROUPED_SHAPE(Shape)                                                                       \
+  template std::vector<std::vector<std::uint32_t>> grouped_meeting(                                      \
+      const Bvh&, std::span<const Shape>, const RangeOptions&, std::vector<std::vector<std::uint32_t>>); \
+  template std::vector<std::uint32_t> meeting_any(const Bvh&, std::span<const Shape>, VisitStamps&,      \
+                                                  std::vector<std::uint32_t>);
 PLUMB_GROUPED_SHAPE(Aabb3)
 PLUMB_GROUPED_SHAPE(Segment3)
 #undef PLUMB_GROUPED_SHAPE

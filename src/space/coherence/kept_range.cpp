@@ -59,7 +59,7 @@ void KeptRange::fill() {
 }
 
 template <KeptRangeShape Shape>
-std::vector<std::uint32_t> KeptRange::triangles_meeting(const Shape& shape, std::vector<std::uint32_t> rows) {
+std::vector<std::uint32_t> KeptRange::meeting(const Shape& shape, std::vector<std::uint32_t> rows) {
   rows.clear();
   (void)intersects(Aabb3{{0, 0, 0}, {0, 0, 0}}, shape);  // throws where the numbers are no shape
   by_row_ = false;
@@ -70,12 +70,12 @@ std::vector<std::uint32_t> KeptRange::triangles_meeting(const Shape& shape, std:
   try {
     box = box_of(shape);
   } catch (const BeyondDoubles&) {  // no box of doubles holds it
-    return plumb::triangles_meeting(*mesh_, shape, std::move(rows));
+    return plumb::meeting(*mesh_, shape, std::move(rows));
   }
   if (is_empty(region_) || !contains(region_, box)) {
     region_ = region_around(box, margin_);
     is_filled_ = false;
-    return plumb::triangles_meeting(*mesh_, shape, std::move(rows));
+    return plumb::meeting(*mesh_, shape, std::move(rows));
   }
   if (!is_filled_) fill();
   by_row_ = true;
@@ -85,10 +85,10 @@ std::vector<std::uint32_t> KeptRange::triangles_meeting(const Shape& shape, std:
   return rows;
 }
 
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Aabb3&, std::vector<std::uint32_t>);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Obb3&, std::vector<std::uint32_t>);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Sphere3&, std::vector<std::uint32_t>);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Capsule3&, std::vector<std::uint32_t>);
-template std::vector<std::uint32_t> KeptRange::triangles_meeting(const Segment3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::meeting(const Aabb3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::meeting(const Obb3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::meeting(const Sphere3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::meeting(const Capsule3&, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> KeptRange::meeting(const Segment3&, std::vector<std::uint32_t>);
 
 }  // namespace plumb

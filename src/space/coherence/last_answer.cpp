@@ -8,6 +8,7 @@
 #include "space/closest/posed_nearest_search.hpp"
 #include "space/pairs/pair_answers.hpp"
 #include "space/pairs/pair_search.hpp"
+#include "space/pairs/pair_sources.hpp"
 #include "space/pairs/posed_pair_search.hpp"
 #include "space/ray/hit_search.hpp"
 
@@ -46,21 +47,21 @@ std::optional<ClosestTriangles> closest_pair_from(Source a, Source b, LastPair& 
 }  // namespace
 }  // namespace space
 
-std::optional<TrianglePair> any_intersecting_pair(const Bvh& a, const Bvh& b, LastPair& last,
-                                                  const PairOptions& options) {
-  const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) { return relate(a.triangle(i), b.triangle(k)); };
-  return space::any_pair_from(a, b, last, options, relate_slots,
-                              space::PairSearch("any_intersecting_pair", a, b, false, options));
-}
-std::optional<TrianglePair> any_intersecting_pair(const PosedMesh& a, const PosedMesh& b, LastPair& last,
+std::optional<TrianglePair> any_intersecting_pair(const BvhView& a, const BvhView& b, LastPair& last,
                                                   const PairOptions& options) {
   constexpr const char* function = "any_intersecting_pair";
-  if (space::are_moved_alike(function, a, b)) return any_intersecting_pair(a.bvh, b.bvh, last, options);
-  const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) {
-    return query::relate(a.triangle(i), b.triangle(k));
-  };
-  return space::any_pair_from(a.bvh, b.bvh, last, options, relate_slots,
-                              space::PosedPairSearch(function, a, b, false, options));
+  return space::with_sources(function, a, b, [&]<class Source>(const Source& s, const Source& t) {
+    if constexpr (space::is_posed_source<Source>) {
+      const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) {
+        return query::relate(s.triangle(i), t.triangle(k));
+      };
+      return space::any_pair_from(s.bvh, t.bvh, last, options, relate_slots,
+                                  space::PosedPairSearch(function, s, t, false, options));
+    } else {
+      const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) { return relate(s.triangle(i), t.triangle(k)); };
+      return space::any_pair_from(s, t, last, options, relate_slots, space::PairSearch(function, s, t, false, options));
+    }
+  });
 }
 
 std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, LastTriangle& last) {
@@ -90,8 +91,8 @@ std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const Pose
   return space::closest_pair_from(space::PosedSource(a), space::PosedSource(b), last, options);
 }
 
-bool hits(const AnyRay& ray, const Bvh& bvh, LastTriangle& last, HitRule rule) {
-  if (!query::is_sound(ray)) query::require_ray("hits", ray);
+bool any_hit(const Bvh& bvh, const AnyRay& ray, LastTriangle& last, HitRule rule) {
+  if (!query::is_sound(ray)) query::require_ray("any_hit", ray);
   if (last.slot < bvh.triangles.size() && hits(ray, bvh.triangle(last.slot), rule)) return true;
   const RaySlabs slabs(ray, bvh.tree);
   space::AnyHit search(ray, slabs.keys(), bvh, rule);

@@ -7,6 +7,7 @@
 #include "space/coherence/front_scenes.hpp"
 #include "space/coherence/front_walk.hpp"
 #include "space/pairs/pair_answers.hpp"
+#include "space/pairs/pair_sources.hpp"
 
 namespace plumb {
 namespace space {
@@ -99,6 +100,9 @@ std::vector<TrianglePair> follow(const char* function, Front& front, FrontWork& 
   return found;
 }
 
+StandingScene scene_of(const Bvh& a, const Bvh& b, bool is_own) { return {a, b, is_own}; }
+MovedScene scene_of(const PosedMesh& a, const PosedMesh& b, bool is_own) { return {a, b, is_own}; }
+
 std::vector<TrianglePair> ordered(std::vector<TrianglePair> pairs, const Bvh& a, std::vector<TrianglePair> rows) {
   std::vector<std::vector<TrianglePair>> parts;
   parts.push_back(std::move(pairs));
@@ -115,30 +119,21 @@ std::size_t bytes_of(const NeededBoxes& needed) {
 }  // namespace
 }  // namespace space
 
-std::vector<TrianglePair> PairFront::intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options,
+std::vector<TrianglePair> PairFront::intersecting_pairs(const BvhView& a, const BvhView& b, const PairOptions& options,
                                                         std::vector<TrianglePair> rows) {
-  return space::ordered(space::follow("intersecting_pairs", front_, work_, space::StandingScene(a, b, false), options),
-                        a, std::move(rows));
-}
-std::vector<TrianglePair> PairFront::intersecting_pairs(const PosedMesh& a, const PosedMesh& b,
-                                                        const PairOptions& options, std::vector<TrianglePair> rows) {
   constexpr const char* function = "intersecting_pairs";
-  if (space::are_moved_alike(function, a, b)) return intersecting_pairs(a.bvh, b.bvh, options, std::move(rows));
-  return space::ordered(space::follow(function, front_, work_, space::MovedScene(a, b, false), options), a.bvh,
-                        std::move(rows));
+  return space::with_sources(function, a, b, [&](const auto& s, const auto& t) {
+    return space::ordered(space::follow(function, front_, work_, space::scene_of(s, t, false), options),
+                          space::mesh_of(s), std::move(rows));
+  });
 }
-std::vector<TrianglePair> PairFront::self_intersecting_pairs(const Bvh& mesh, const PairOptions& options,
-                                                             std::vector<TrianglePair> rows) {
-  return space::ordered(
-      space::follow("self_intersecting_pairs", front_, work_, space::StandingScene(mesh, mesh, true), options), mesh,
-      std::move(rows));
-}
-std::vector<TrianglePair> PairFront::self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options,
-                                                             std::vector<TrianglePair> rows) {
-  constexpr const char* function = "self_intersecting_pairs";
-  if (space::is_moved_regularly(function, mesh)) return self_intersecting_pairs(mesh.bvh, options, std::move(rows));
-  return space::ordered(space::follow(function, front_, work_, space::MovedScene(mesh, mesh, true), options), mesh.bvh,
-                        std::move(rows));
+std::vector<TrianglePair> PairFront::intersecting_pairs(const BvhView& mesh, const PairOptions& options,
+                                                        std::vector<TrianglePair> rows) {
+  constexpr const char* function = "intersecting_pairs";
+  return space::with_own_source(function, mesh, [&](const auto& s) {
+    return space::ordered(space::follow(function, front_, work_, space::scene_of(s, s, true), options),
+                          space::mesh_of(s), std::move(rows));
+  });
 }
 
 std::size_t PairFront::memory() const {

@@ -124,7 +124,8 @@ void HierarchicalGrid<Box>::for_list(int level, const space::CellNumber<n>& cell
 }
 
 template <class Box>
-std::vector<BoxPair> HierarchicalGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+std::vector<BoxPair> HierarchicalGrid<Box>::overlapping_pairs(const BoxPairOptions& options,
+                                                              std::vector<BoxPair> rows) const {
   std::vector<space::SweptBox<Box>> boxes;
   std::vector<int> levels;
   for (std::uint32_t i = 0; i < entries_.size(); ++i) {

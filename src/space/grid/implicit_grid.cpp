@@ -57,7 +57,8 @@ void ImplicitGrid<Box>::move(std::uint32_t handle, const Box& box) {
 }
 
 template <class Box>
-std::vector<BoxPair> ImplicitGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+std::vector<BoxPair> ImplicitGrid<Box>::overlapping_pairs(const BoxPairOptions& options,
+                                                          std::vector<BoxPair> rows) const {
   rows.clear();
   const std::size_t all = boxes_.numbers(), parts = (all + space::boxes_in_part - 1) / space::boxes_in_part;
   std::vector<std::vector<BoxPair>> found(parts);

@@ -167,7 +167,8 @@ void ListGrid<Box, table>::move(std::uint32_t handle, const Box& box) {
 }
 
 template <class Box, CellTable table>
-std::vector<BoxPair> ListGrid<Box, table>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+std::vector<BoxPair> ListGrid<Box, table>::overlapping_pairs(const BoxPairOptions& options,
+                                                             std::vector<BoxPair> rows) const {
   rows.clear();
   for (const std::uint32_t head : heads_) {
     for (std::uint32_t i = head; i != none; i = nodes_[i].next) {

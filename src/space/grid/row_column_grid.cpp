@@ -104,7 +104,8 @@ void RowColumnGrid<Box>::for_overlapping(const Box& box, bool touching, Scratch&
 }
 
 template <class Box>
-std::vector<BoxPair> RowColumnGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+std::vector<BoxPair> RowColumnGrid<Box>::overlapping_pairs(const BoxPairOptions& options,
+                                                           std::vector<BoxPair> rows) const {
   std::vector<space::SweptBox<Box>> boxes;
   std::vector<int> levels;
   for (std::uint32_t i = 0; i < places_.size(); ++i) {

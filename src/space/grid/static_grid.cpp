@@ -100,7 +100,8 @@ void StaticGrid<Box>::pairs_in(std::size_t cell, bool touching, std::vector<Memb
 }
 
 template <class Box>
-std::vector<BoxPair> StaticGrid<Box>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+std::vector<BoxPair> StaticGrid<Box>::overlapping_pairs(const BoxPairOptions& options,
+                                                        std::vector<BoxPair> rows) const {
   const std::size_t parts = std::clamp<std::size_t>(numbers_.size() / least_entries_in_part, 1, most_parts);
   std::vector<std::vector<BoxPair>> found(parts);
   const auto first_cell = [&](std::size_t part) {

@@ -21,7 +21,7 @@ struct HeapPlanes {
 };
 
 template <class Point, class Way>
-std::vector<std::uint32_t> heap_cells(const KdTree<Point>& tree, const Way& way, KdCells cells,
+std::vector<std::uint32_t> heap_cells(const KdTree<Point>& tree, const Way& way, WalkedCells cells,
                                       std::vector<std::uint32_t> rows) {
   const auto path = checked_path("cells_along", way);
   return PlaneWalk<HeapPlanes<Point>, KdTree<Point>::dimension>({tree}, path, cells).leaves(std::move(rows));
@@ -30,19 +30,19 @@ std::vector<std::uint32_t> heap_cells(const KdTree<Point>& tree, const Way& way,
 }  // namespace
 }  // namespace space::kd
 
-std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Segment2& segment, KdCells cells,
+std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Segment2& segment, WalkedCells cells,
                                        std::vector<std::uint32_t> rows) {
   return space::kd::heap_cells(tree, segment, cells, std::move(rows));
 }
-std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Ray2& ray, KdCells cells,
+std::vector<std::uint32_t> cells_along(const KdTree2& tree, const Ray2& ray, WalkedCells cells,
                                        std::vector<std::uint32_t> rows) {
   return space::kd::heap_cells(tree, ray, cells, std::move(rows));
 }
-std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Segment3& segment, KdCells cells,
+std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Segment3& segment, WalkedCells cells,
                                        std::vector<std::uint32_t> rows) {
   return space::kd::heap_cells(tree, segment, cells, std::move(rows));
 }
-std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Ray3& ray, KdCells cells,
+std::vector<std::uint32_t> cells_along(const KdTree3& tree, const Ray3& ray, WalkedCells cells,
                                        std::vector<std::uint32_t> rows) {
   return space::kd::heap_cells(tree, ray, cells, std::move(rows));
 }

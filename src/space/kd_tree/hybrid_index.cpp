@@ -66,7 +66,7 @@ std::vector<BoxPair> pairs_of(const BoxCells<d>& tree) {
 }
 template <class Box>
 std::vector<BoxPair> pairs_of(const StaticGrid<Box>& grid) {
-  return grid.pairs({.execution = Execution::serial});
+  return grid.overlapping_pairs({.execution = Execution::serial});
 }
 
 template <class Index, class Box>

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,8 +48,8 @@ std::vector<NearestFigure> nearest_boxes(const Index& index, const CornerOf<Box>
                                          std::vector<NearestFigure> rows = {}) {
   rows.clear();
   const std::vector<Box>& boxes = index.boxes();
-  require_as_many(k, boxes.size(), "figure");
   query::require_figure("nearest", "p", p);
+  k = std::min(k, boxes.size());
   if (k == 0) return rows;
   double bound = 0;  // k boxes are no farther, but for a rounding
   for (std::size_t i = 0; i < k; ++i) bound = std::max(bound, distance(p, boxes[i]));
@@ -71,10 +72,12 @@ std::vector<NearestFigure> nearest_boxes(const Index& index, const CornerOf<Box>
 
 template <class Box>
 NearestFigure nearest(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Point& p) {
+  space::kd::require_as_many(1, index.boxes().size(), "figure");
   return space::kd::nearest_boxes<GridOfTrees<Box>, Box>(index, p, 1, Ties::lowest)[0];
 }
 template <class Box>
 NearestFigure nearest(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Point& p) {
+  space::kd::require_as_many(1, index.boxes().size(), "figure");
   return space::kd::nearest_boxes<TreeOfGrids<Box>, Box>(index, p, 1, Ties::lowest)[0];
 }
 template <class Box>

@@ -1,5 +1,7 @@
 #include "plumb/space/kd_tree/nearest_figure.hpp"
 
+#include <algorithm>
+
 #include "query/body/figure_input.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/kd_tree/answer_lists.hpp"
@@ -45,12 +47,13 @@ NearestFigure nearest(const FigureTree<Figure>& tree, const typename FigureTree<
 template <KeptFigure Figure>
 std::vector<NearestFigure> nearest(const FigureTree<Figure>& tree, const typename FigureTree<Figure>::Point& p,
                                    std::size_t k, Ties ties, std::vector<NearestFigure> rows) {
-  space::kd::require_as_many(k, tree.figures.size(), "figure");
   query::require_figure("nearest", "p", p);
-  space::kd::NearestOf<Figure> search(tree, k);
   rows.clear();
+  k = std::min(k, tree.figures.size());
+  if (k == 0) return rows;
+  space::kd::NearestOf<Figure> search(tree, k);
   for (const auto& c : search.of(p)) rows.push_back({c.item, c.distance});
-  if (ties == Ties::all && k != 0) {
+  if (ties == Ties::all) {
     // Of equally near ones the lowest are told already.
     const double distance = rows.back().distance;
     for (const std::uint32_t item : search.tied_with_last()) rows.push_back({item, distance});

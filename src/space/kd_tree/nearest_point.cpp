@@ -33,9 +33,9 @@ template <class Point>
 std::vector<NearestPoint> nearest(const KdTree<Point>& tree, const std::type_identity_t<Point>& p, std::size_t k,
                                   Ties ties, std::vector<NearestPoint> rows) {
   using namespace space::kd;
-  require_as_many(k, tree.count, "point");
   require_finite_parts<Point>("nearest", {"p"}, p);
   rows.clear();
+  k = std::min<std::size_t>(k, tree.count);
   if (k == 0) return rows;
   std::vector<Candidate<Point>> room(k);
   rows.resize(k);

@@ -3,8 +3,8 @@
 // The descent keeps what of the path is in a node's cell, between two of: its start, its end, and crossings of planes.
 // Laws: those of plumb/space/kd_tree/cells_along.hpp.  Trees have at most 64 levels.
 // Source: RTCD 7.4.1.
-// Cost: one or two comparisons of parameters for each plane that is met: of doubles as given for planes of one axis, of certified
-// signs for others; no parameter is computed.
+// Cost: one or two comparisons of parameters for each plane that is met: of doubles as given for planes of one axis, of
+// certified signs for others; no parameter is computed.
 #pragma once
 
 #include <algorithm>
@@ -80,8 +80,8 @@ struct Part {
 template <class Planes, std::size_t d>
 class PlaneWalk {
  public:
-  PlaneWalk(const Planes& planes, const Path<d>& path, KdCells cells)
-      : planes_(planes), path_(path), closed_(cells == KdCells::closed) {}
+  PlaneWalk(const Planes& planes, const Path<d>& path, WalkedCells cells)
+      : planes_(planes), path_(path), closed_(cells == WalkedCells::closed) {}
 
   /// visit(leaf, entry) in the order of entry; but where cells are closed and the path lies in a plane, both sides are
   /// told one after the other.  Ends where it returns Descent::stop.

@@ -32,7 +32,7 @@ template <class Figure>
 using SplitWalk = PlaneWalk<SplitPlanes<Figure>, SplitTree<Figure>::dimension>;
 
 template <class Figure, class Way>
-std::vector<std::uint32_t> split_cells(const SplitTree<Figure>& tree, const Way& way, KdCells cells,
+std::vector<std::uint32_t> split_cells(const SplitTree<Figure>& tree, const Way& way, WalkedCells cells,
                                        std::vector<std::uint32_t> rows) {
   rows.clear();
   const auto path = checked_path("cells_along", way);
@@ -66,7 +66,7 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
     const auto order = *first_hit_parameter(way, figure) <=> *exactly;
     return order < 0 || (order == 0 && h.index < best->index);
   };
-  SplitWalk<Figure>({tree.nodes}, path, KdCells::half_open).each_leaf([&](std::size_t leaf, const Place& entry) {
+  SplitWalk<Figure>({tree.nodes}, path, WalkedCells::half_open).each_leaf([&](std::size_t leaf, const Place& entry) {
     if (best && is_surely_before(path, best->hit.t, entry)) return Descent::stop;
     for (const std::uint32_t i : tree.items_in(leaf)) {
       std::uint32_t& before = asked[i % asked.size()];  // what lies in several leaves is asked once, as a rule
@@ -86,7 +86,7 @@ bool hits_along(const SplitTree<Figure>& tree, const Way& way) {
   const auto path = checked_path("hits", way);
   bool found = false;
   if (tree.nodes.empty()) return found;
-  SplitWalk<Figure>({tree.nodes}, path, KdCells::half_open).each_leaf([&](std::size_t leaf, const Place&) {
+  SplitWalk<Figure>({tree.nodes}, path, WalkedCells::half_open).each_leaf([&](std::size_t leaf, const Place&) {
     for (const std::uint32_t i : tree.items_in(leaf)) {
       found = !is_passed_by(path, tree.figures[i]) && first_hit_parameter(way, tree.figures[i]).has_value();
       if (found) return Descent::stop;
@@ -101,13 +101,13 @@ bool hits_along(const SplitTree<Figure>& tree, const Way& way) {
 
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree,
-                                       const typename SplitTree<Figure>::Segment& segment, KdCells cells,
+                                       const typename SplitTree<Figure>::Segment& segment, WalkedCells cells,
                                        std::vector<std::uint32_t> rows) {
   return space::kd::split_cells(tree, segment, cells, std::move(rows));
 }
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray,
-                                       KdCells cells, std::vector<std::uint32_t> rows) {
+                                       WalkedCells cells, std::vector<std::uint32_t> rows) {
   return space::kd::split_cells(tree, ray, cells, std::move(rows));
 }
 template <ShotAtFigure Figure>
@@ -120,26 +120,26 @@ std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const 
   return space::kd::first_hit_along(tree, ray);
 }
 template <ShotAtFigure Figure>
-bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Segment& segment) {
+bool any_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Segment& segment) {
   return space::kd::hits_along(tree, segment);
 }
 template <ShotAtFigure Figure>
-bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray) {
+bool any_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray) {
   return space::kd::hits_along(tree, ray);
 }
 
-#define PLUMB_INSTANTIATE(F)                                                                                  \
-  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Segment&, KdCells, \
-                                                  std::vector<std::uint32_t>);                                \
-  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Ray&, KdCells,     \
+#define PLUMB_INSTANTIATE(F)                                                                                      \
+  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Segment&, WalkedCells, \
+                                                  std::vector<std::uint32_t>);                                    \
+  template std::vector<std::uint32_t> cells_along(const SplitTree<F>&, const SplitTree<F>::Ray&, WalkedCells,     \
                                                   std::vector<std::uint32_t>);
 PLUMB_FOR_KEPT_FIGURES(PLUMB_INSTANTIATE)
 #undef PLUMB_INSTANTIATE
 #define PLUMB_INSTANTIATE(F)                                                                         \
   template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const SplitTree<F>::Segment&); \
   template std::optional<FigureHit<F>> first_hit(const SplitTree<F>&, const SplitTree<F>::Ray&);     \
-  template bool hits(const SplitTree<F>&, const SplitTree<F>::Segment&);                             \
-  template bool hits(const SplitTree<F>&, const SplitTree<F>::Ray&);
+  template bool any_hit(const SplitTree<F>&, const SplitTree<F>::Segment&);                          \
+  template bool any_hit(const SplitTree<F>&, const SplitTree<F>::Ray&);
 PLUMB_INSTANTIATE(Aabb2)
 PLUMB_INSTANTIATE(Segment2) PLUMB_INSTANTIATE(Triangle2) PLUMB_INSTANTIATE(Aabb3) PLUMB_INSTANTIATE(Triangle3)
 #undef PLUMB_INSTANTIATE

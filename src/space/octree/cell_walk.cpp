@@ -37,14 +37,14 @@ space::CellWay<D> way_along(const std::array<double, D>& from, const std::array<
 }  // namespace
 
 template <std::size_t D>
-CellWalker<D>::CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk)
+CellWalker<D>::CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, WalkedCells walk)
     : tree_(&tree), way_(way_along<D>(coordinates(ray.origin), coordinates(ray.direction), false)), walk_(walk) {
   figure::require_finite_parts<decltype(ray.origin), decltype(ray.direction)>(
       "CellWalker", {"ray.origin", "ray.direction"}, ray.origin, ray.direction);
   begin();
 }
 template <std::size_t D>
-CellWalker<D>::CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment, CellWalk walk)
+CellWalker<D>::CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment, WalkedCells walk)
     : tree_(&tree), way_(way_along<D>(coordinates(segment.a), coordinates(segment.b), true)), walk_(walk) {
   figure::require_finite_parts<decltype(segment.a), decltype(segment.b)>("CellWalker", {"segment.a", "segment.b"},
                                                                          segment.a, segment.b);
@@ -77,13 +77,13 @@ void CellWalker<D>::add_children(const Waiting& cell) {
     const auto passage = crossings.passage(borders.low, borders.high);
     if (!passage) continue;
     waiting_.push_back({tree_->nodes[cell.node].children + c, span, passage->entry});
-    if (walk_ == CellWalk::closed) {
+    if (walk_ == WalkedCells::closed) {
       std::push_heap(waiting_.begin(), waiting_.end(),
                      [this](const Waiting& a, const Waiting& b) { return comes_later(a, b); });
     }
   }
   // Half-open cells lie one behind the other, with all that is in them.
-  if (walk_ == CellWalk::half_open) {
+  if (walk_ == WalkedCells::half_open) {
     std::sort(waiting_.begin() + first, waiting_.end(),
               [this](const Waiting& a, const Waiting& b) { return comes_later(a, b); });
   }
@@ -92,7 +92,7 @@ void CellWalker<D>::add_children(const Waiting& cell) {
 template <std::size_t D>
 std::uint32_t CellWalker<D>::next() {
   while (!waiting_.empty()) {
-    if (walk_ == CellWalk::closed) {
+    if (walk_ == WalkedCells::closed) {
       std::pop_heap(waiting_.begin(), waiting_.end(),
                     [this](const Waiting& a, const Waiting& b) { return comes_later(a, b); });
     }
@@ -116,23 +116,24 @@ std::vector<std::uint32_t> all_of(CellWalker<D> walker, std::vector<std::uint32_
 }  // namespace
 
 template <std::size_t D>
-std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk,
+std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, WalkedCells walk,
                                        std::vector<std::uint32_t> rows) {
   return all_of(CellWalker<D>(tree, ray, walk), std::move(rows));
 }
 template <std::size_t D>
 std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment,
-                                       CellWalk walk, std::vector<std::uint32_t> rows) {
+                                       WalkedCells walk, std::vector<std::uint32_t> rows) {
   return all_of(CellWalker<D>(tree, segment, walk), std::move(rows));
 }
 
 template class CellWalker<2>;
 template class CellWalker<3>;
-template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Ray2&, CellWalk, std::vector<std::uint32_t>);
-template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Ray3&, CellWalk, std::vector<std::uint32_t>);
-template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Segment2&, CellWalk,
+template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Ray2&, WalkedCells,
                                                    std::vector<std::uint32_t>);
-template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Segment3&, CellWalk,
+template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Ray3&, WalkedCells, std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> cells_along<2>(const Quadtree&, const Segment2&, WalkedCells,
+                                                   std::vector<std::uint32_t>);
+template std::vector<std::uint32_t> cells_along<3>(const Octree&, const Segment3&, WalkedCells,
                                                    std::vector<std::uint32_t>);
 
 }  // namespace plumb

@@ -25,7 +25,7 @@ class CrossingsOf {
     Crossing entry, exit;
   };
 
-  CrossingsOf(const CellWay<D>& way, CellWalk walk) : way_(way), half_open_(walk == CellWalk::half_open) {}
+  CrossingsOf(const CellWay<D>& way, WalkedCells walk) : way_(way), half_open_(walk == WalkedCells::half_open) {}
 
   /// Negative where a is crossed before b.
   [[nodiscard]] int order(const Crossing& a, const Crossing& b) const {

@@ -251,7 +251,7 @@ std::vector<std::uint32_t> LooseCells<D>::in_box(const Box& box, const InBoxOpti
 }
 
 template <std::size_t D>
-std::vector<BoxPair> LooseCells<D>::pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
+std::vector<BoxPair> LooseCells<D>::overlapping_pairs(const BoxPairOptions& options, std::vector<BoxPair> rows) const {
   std::vector<space::SweptBox<Box>> boxes;
   std::vector<int> shifts;
   std::vector<typename CellFrame<D>::Place> places(items_.size());  // of their lowest corners

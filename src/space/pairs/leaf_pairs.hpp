@@ -55,8 +55,8 @@ struct MeshParts<CompactBvh> {
 };
 
 template <class Mesh>
-struct MeshViewOf : MeshParts<Mesh> {
-  explicit MeshViewOf(const Mesh& bvh) : MeshParts<Mesh>(bvh), vertices(bvh.vertices.view()), frame(bvh.tree.frame) {}
+struct SlotMesh : MeshParts<Mesh> {
+  explicit SlotMesh(const Mesh& bvh) : MeshParts<Mesh>(bvh), vertices(bvh.vertices.view()), frame(bvh.tree.frame) {}
   [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
     const Bvh::Corners& c = this->triangles[slot];
     return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
@@ -69,13 +69,12 @@ struct MeshViewOf : MeshParts<Mesh> {
   std::span<const Point3> vertices;
   BoxFrame frame;
 };
-using MeshView = MeshViewOf<Bvh>;
 
 /// Do the triangles of two slots meet?
 template <class Mesh>
 class JudgedPair {
  public:
-  JudgedPair(const MeshViewOf<Mesh>& a, const MeshViewOf<Mesh>& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+  JudgedPair(const SlotMesh<Mesh>& a, const SlotMesh<Mesh>& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
 
   /// take(TrianglePair, SlotPair) where they do; it may say Descent::stop.
   template <class Take>
@@ -90,7 +89,7 @@ class JudgedPair {
   }
 
  private:
-  const MeshViewOf<Mesh>&a_, &b_;
+  const SlotMesh<Mesh>&a_, &b_;
   bool is_own_;
 };
 
@@ -98,7 +97,7 @@ class JudgedPair {
 template <class Mesh = Bvh>
 class LeafPairs {
  public:
-  LeafPairs(const MeshViewOf<Mesh>& a, const MeshViewOf<Mesh>& b, bool is_own)
+  LeafPairs(const SlotMesh<Mesh>& a, const SlotMesh<Mesh>& b, bool is_own)
       : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
 
   /// take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
@@ -120,7 +119,7 @@ class LeafPairs {
  private:
   /// A leaf's triangles whose boxes meet that of the other leaf.
   struct LeafBoxes {
-    void read(const MeshViewOf<Mesh>& mesh, const BoxNode& leaf, const Aabb3& other) {
+    void read(const SlotMesh<Mesh>& mesh, const BoxNode& leaf, const Aabb3& other) {
       n = 0;
       if (box.size() <= leaf.count) {  // a leaf of a file may have any number
         box.resize(leaf.count + std::size_t{1});
@@ -137,7 +136,7 @@ class LeafPairs {
     std::vector<std::uint32_t> slot;
   };
 
-  const MeshViewOf<Mesh>&a_, &b_;
+  const SlotMesh<Mesh>&a_, &b_;
   bool is_own_;
   JudgedPair<Mesh> judge_;
   LeafBoxes boxes_a_, boxes_b_;

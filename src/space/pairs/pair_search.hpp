@@ -109,7 +109,7 @@ class PairSearch {
   }
 
   const char* function_;
-  MeshViewOf<Mesh> a_, b_;
+  SlotMesh<Mesh> a_, b_;
   bool own_;
   const PairOptions& options_;
 };

@@ -77,7 +77,7 @@ class WideChildren {
 /// What a search asks of two leaves of wide trees; the last that were read are kept.
 class WideLeafPairs {
  public:
-  WideLeafPairs(const MeshView& a, const MeshView& b, bool is_own)
+  WideLeafPairs(const SlotMesh<Bvh>& a, const SlotMesh<Bvh>& b, bool is_own)
       : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
 
   /// take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
@@ -103,13 +103,13 @@ class WideLeafPairs {
 
  private:
   struct Kept {
-    [[gnu::always_inline]] void fetch(const MeshView& mesh, const WidePlace& leaf) const {
+    [[gnu::always_inline]] void fetch(const SlotMesh<Bvh>& mesh, const WidePlace& leaf) const {
       if (lanes.n != 0 && slot == leaf.link) return;
       for (std::uint32_t s = leaf.link; s < leaf.link + std::min<std::uint32_t>(leaf.count, most_in_lanes); ++s) {
         for (const std::uint32_t v : mesh.triangles[s]) __builtin_prefetch(&mesh.vertices[v]);
       }
     }
-    const TriangleLanes& read(const MeshView& mesh, const WidePlace& leaf, std::uint32_t from) {
+    const TriangleLanes& read(const SlotMesh<Bvh>& mesh, const WidePlace& leaf, std::uint32_t from) {
       const std::uint32_t first = leaf.link + from, n = std::min<std::uint32_t>(leaf.count - from, most_in_lanes);
       if (lanes.n != 0 && slot == first) return lanes;
       for (std::uint32_t i = 0; i < most_in_lanes; ++i) {
@@ -143,7 +143,7 @@ class WideLeafPairs {
     return Descent::go_on;
   }
 
-  const MeshView &a_, &b_;
+  const SlotMesh<Bvh>&a_, &b_;
   bool is_own_;
   JudgedPair<Bvh> judge_;
   Kept kept_a_;

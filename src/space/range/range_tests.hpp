@@ -1,6 +1,7 @@
 // May what is in a box meet a shape; and does a triangle?
 //
-// Laws: (1) may_meet is true where anything in the box meets the shape.  (2) meets_triangle is intersects(t, shape).
+// Laws: (1) may_meet is true where anything in the box meets the shape.  (2) meets_triangle is intersects(t, shape), of a
+// posed triangle that of its exact image.
 // Source: RTCD 5.2.
 // Cost: one exact test; of a convex region one for each halfspace.
 #pragma once
@@ -11,6 +12,7 @@
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/range/range_search.hpp"
+#include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/slot_boxes.hpp"
 
 namespace plumb::space {
@@ -47,6 +49,11 @@ bool meets_triangle(const Triangle3& t, const Shape& shape) {
     if (!std::ranges::all_of(shape.halfspaces, [&](const Halfspace3& h) { return intersects(h, t); })) return false;
   }
   return intersects(t, shape);
+}
+
+template <class Shape>
+bool meets_triangle(const PosedTriangle& t, const Shape& shape) {
+  return query::intersects(t, shape);
 }
 
 }  // namespace plumb::space

@@ -33,13 +33,15 @@ class HitSearch : public TriangleVisitor {
   /// Along the ray, which the mesh sees so.
   template <class Mesh>
   HitSearch(const AnyRay& ray, const SeenRay& seen, const PosedMeshOf<Mesh>& mesh, HitRule rule)
-      : ray_(&ray),
-        seen_(&seen),
-        pose_(&mesh.pose),
-        triangles_(mesh.bvh),
-        rule_(rule),
-        keys_(seen.slabs.keys()),
-        limit_(keys_.limit) {}
+      : HitSearch(ray, seen.slabs.keys(), mesh.bvh, rule) {
+    seen_ = &seen, pose_ = &mesh.pose;
+  }
+  /// Along a ray that the mesh does not see: limits are parameters.
+  template <class Mesh>
+  HitSearch(const AnyRay& ray, const PosedMeshOf<Mesh>& mesh, HitRule rule)
+      : HitSearch(ray, RaySlabs::Keys(), mesh.bvh, rule) {
+    pose_ = &mesh.pose;
+  }
 
   [[nodiscard]] AskedRay asked() {
     if (pose_ != nullptr) return {seen_->ray, this, seen_->doubts};

@@ -7,26 +7,45 @@
 #include "space/bvh/blocks.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/parts.hpp"
+#include "space/pairs/mesh_source.hpp"
 #include "space/ray/hit_search.hpp"
 #include "space/ray/packet_task.hpp"
 #include "space/ray/ray_order.hpp"
+#include "space/ray/unseen_ray.hpp"
 
 namespace plumb {
 namespace {
 
-// So many are ordered, and of these so many searched for together.
-constexpr std::size_t rays_of_part = 2048, rays_of_block = 256;
+// So many are ordered, and of these so many searched for together; fewer under a pose, where each takes longer.
+template <class Source>
+constexpr std::size_t rays_of_part = space::is_posed_source<Source> ? 64 : 2048;
+constexpr std::size_t rays_of_block = 256;
 
 /// answer(the search along the ray).
-template <class Search, class Mesh, class Answer>
-auto searched(const char* function, const AnyRay& ray, const Mesh& mesh, HitRule rule, const Answer& answer) {
+template <class Search, class Answer>
+auto searched(const char* function, const MeshView& view, const AnyRay& ray, HitRule rule, const Answer& answer) {
   if (!query::is_sound(ray)) [[unlikely]]
     query::require_ray(function, ray);
-  const RaySlabs slabs(ray, mesh.tree.frame, mesh.tree.box());
-  Search search(ray, slabs.keys(), mesh, rule);
-  const space::RayTask task = search.task(slabs);
-  space::visit_triangles(mesh, {&task, 1});
-  return answer(search);
+  return space::with_source(function, "mesh", view, [&]<class Source>(const Source& source) {
+    if constexpr (space::is_posed_source<Source>) {
+      const auto seen = space::Sight(source)(ray);
+      if (!seen) {
+        Search search(ray, source, rule);
+        space::visit_unseen(source, ray, search);
+        return answer(search);
+      }
+      Search search(ray, *seen, source, rule);
+      const space::RayTask task = search.task(seen->slabs);
+      space::visit_triangles(source.bvh, {&task, 1});
+      return answer(search);
+    } else {
+      const RaySlabs slabs(ray, source.tree.frame, source.tree.box());
+      Search search(ray, slabs.keys(), source, rule);
+      const space::RayTask task = search.task(slabs);
+      space::visit_triangles(source, {&task, 1});
+      return answer(search);
+    }
+  });
 }
 
 /// Searches along rays that are taken down in packets where they are near one another, plain and fit, else by turns.
@@ -79,32 +98,69 @@ class Searches {
   std::vector<space::RayTask> others_;
 };
 
+/// Under a pose those that the mesh sees by turns, the others at once.
+template <class Search, class Mesh>
+class Searches<Search, PosedMeshOf<Mesh>> {
+ public:
+  Searches(const PosedMeshOf<Mesh>& mesh, HitRule rule, std::size_t most, bool are_near)
+      : mesh_(mesh), sight_(mesh), rule_(rule), are_near_(are_near) {
+    searches_.reserve(most), seen_.reserve(most);
+  }
+
+  void add(std::span<const AnyRay* const> rays) {
+    for (const AnyRay* ray : rays) {
+      if (const auto seen = sight_(*ray)) {
+        const space::SeenRay& kept = seen_.emplace_back(*seen);
+        tasks_.push_back(searches_.emplace_back(*ray, kept, mesh_, rule_).task(kept.slabs));
+      } else {
+        space::visit_unseen(mesh_, *ray, searches_.emplace_back(*ray, mesh_, rule_));
+      }
+    }
+  }
+  void run() { space::visit_triangles(mesh_.bvh, tasks_, are_near_); }
+  Search& operator[](std::size_t i) { return searches_[i]; }
+
+ private:
+  const PosedMeshOf<Mesh>& mesh_;
+  space::Sight sight_;
+  HitRule rule_;
+  bool are_near_;
+  std::vector<Search> searches_;  // which stay where they are, as what they refer to
+  std::vector<space::SeenRay> seen_;
+  std::vector<space::RayTask> tasks_;
+};
+
 /// out[i] = answer(the search along rays[i]); a block's rays descend together.
-template <class Search, class Mesh, class Out, class Answer>
-void search_all(const char* function, std::span<const AnyRay> rays, const Mesh& mesh, std::span<Out> out,
+template <class Search, class Out, class Answer>
+void search_all(const char* function, const MeshView& view, std::span<const AnyRay> rays, std::span<Out> out,
                 const ManyRays& options, const Answer& answer) {
   space::require_equal_lengths(function, "out", out.size(), "rays", rays.size());
-  const Aabb3 box = mesh.tree.frame.outside(mesh.tree.box());
-  const std::size_t parts = space::blocks_of(rays.size(), rays_of_part);
-  space::for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
-    const std::size_t begin = part * rays_of_part;
-    const auto asked = rays.subspan(begin, std::min(rays_of_part, rays.size() - begin));
-    for (const AnyRay& ray : asked) {
-      if (!query::is_sound(ray)) query::require_ray(function, ray);
-    }
-    const auto [order, are_near] = space::order_of(asked, box, mesh.slots());
-    for (std::size_t from = 0; from < asked.size(); from += rays_of_block) {
-      const std::size_t to = std::min(asked.size(), from + rays_of_block);
-      Searches<Search, Mesh> searches(mesh, options.rule, to - from, are_near);
-      for (std::size_t i = from; i < to;) {
-        std::array<const AnyRay*, space::packet_size> next;
-        std::size_t n = 0;
-        while (n < next.size() && i < to) next[n++] = &asked[order[i++]];
-        searches.add(std::span<const AnyRay* const>(next).first(n));
+  space::with_source(function, "mesh", view, [&]<class Source>(const Source& source) {
+    constexpr std::size_t part_size = rays_of_part<Source>;
+    const auto& tree = space::mesh_of(source).tree;
+    const auto [min, max] = tree.box();
+    const Aabb3 box = space::box_of_node(source, BoxNode{min, 0, max, 0});
+    const std::size_t parts = space::blocks_of(rays.size(), part_size);
+    space::for_parts(function, options.execution, options.progress, parts, [&](std::size_t part) {
+      const std::size_t begin = part * part_size;
+      const auto asked = rays.subspan(begin, std::min(part_size, rays.size() - begin));
+      for (const AnyRay& ray : asked) {
+        if (!query::is_sound(ray)) query::require_ray(function, ray);
       }
-      searches.run();
-      for (std::size_t i = from; i < to; ++i) out[begin + order[i]] = answer(searches[i - from]);
-    }
+      const auto [order, are_near] = space::order_of(asked, box, space::mesh_of(source).slots());
+      for (std::size_t from = 0; from < asked.size(); from += rays_of_block) {
+        const std::size_t to = std::min(asked.size(), from + rays_of_block);
+        Searches<Search, Source> searches(source, options.rule, to - from, are_near);
+        for (std::size_t i = from; i < to;) {
+          std::array<const AnyRay*, space::packet_size> next;
+          std::size_t n = 0;
+          while (n < next.size() && i < to) next[n++] = &asked[order[i++]];
+          searches.add(std::span<const AnyRay* const>(next).first(n));
+        }
+        searches.run();
+        for (std::size_t i = from; i < to; ++i) out[begin + order[i]] = answer(searches[i - from]);
+      }
+    });
   });
 }
 
@@ -120,46 +176,40 @@ constexpr auto count_of = [](CountedHits& s) { return s.count(); };
 
 }  // namespace
 
-// Each question of the mesh's tree in its usual and in its compact form.
-#define PLUMB_MESH_RAYS(Mesh)                                                                                       \
-  std::optional<NumberedHit> first_hit(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                         \
-    return searched<FirstHit>("first_hit", ray, mesh, rule, first_of);                                              \
-  }                                                                                                                 \
-  std::optional<std::uint32_t> first_triangle(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                  \
-    return searched<FirstHit>("first_triangle", ray, mesh, rule, first_number_of);                                  \
-  }                                                                                                                 \
-  bool hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                                    \
-    return searched<AnyHit>("hits", ray, mesh, rule, is_found);                                                     \
-  }                                                                                                                 \
-  std::vector<NumberedHit> ordered_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule,                          \
-                                        std::vector<NumberedHit> rows) {                                            \
-    return searched<OrderedHits>("ordered_hits", ray, mesh, rule,                                                   \
-                                 [&](OrderedHits& s) { return s.in_order(std::move(rows)); });                      \
-  }                                                                                                                 \
-  std::size_t count_hits(const AnyRay& ray, const Mesh& mesh, HitRule rule) {                                       \
-    return searched<CountedHits>("count_hits", ray, mesh, rule, count_of);                                          \
-  }                                                                                                                 \
-  void first_hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::optional<NumberedHit>> out,        \
-                  const ManyRays& options) {                                                                        \
-    search_all<FirstHit>("first_hits", rays, mesh, out, options, first_of);                                         \
-  }                                                                                                                 \
-  void first_triangles(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::uint32_t> out,                \
-                       const ManyRays& options) {                                                                   \
-    search_all<FirstHit>("first_triangles", rays, mesh, out, options, first_number_or_none);                        \
-  }                                                                                                                 \
-  void hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::uint8_t> out, const ManyRays& options) { \
-    search_all<AnyHit>("hits", rays, mesh, out, options, is_found_byte);                                            \
-  }                                                                                                                 \
-  void ordered_hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::vector<NumberedHit>> out,        \
-                    const ManyRays& options) {                                                                      \
-    search_all<OrderedHits>("ordered_hits", rays, mesh, out, options, all_of);                                      \
-  }                                                                                                                 \
-  void count_hits(std::span<const AnyRay> rays, const Mesh& mesh, std::span<std::size_t> out,                       \
-                  const ManyRays& options) {                                                                        \
-    search_all<CountedHits>("count_hits", rays, mesh, out, options, count_of);                                      \
-  }
-PLUMB_MESH_RAYS(Bvh)
-PLUMB_MESH_RAYS(CompactBvh)
-#undef PLUMB_MESH_RAYS
+std::optional<NumberedHit> first_hit(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
+  return searched<FirstHit>("first_hit", mesh, ray, rule, first_of);
+}
+std::optional<std::uint32_t> first_triangle(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
+  return searched<FirstHit>("first_triangle", mesh, ray, rule, first_number_of);
+}
+bool any_hit(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
+  return searched<AnyHit>("any_hit", mesh, ray, rule, is_found);
+}
+std::vector<NumberedHit> hits(const MeshView& mesh, const AnyRay& ray, HitRule rule, std::vector<NumberedHit> rows) {
+  return searched<OrderedHits>("hits", mesh, ray, rule, [&](OrderedHits& s) { return s.in_order(std::move(rows)); });
+}
+std::size_t count_hits(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
+  return searched<CountedHits>("count_hits", mesh, ray, rule, count_of);
+}
+
+void first_hit(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::optional<NumberedHit>> out,
+               const ManyRays& options) {
+  search_all<FirstHit>("first_hit", mesh, rays, out, options, first_of);
+}
+void first_triangle(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::uint32_t> out,
+                    const ManyRays& options) {
+  search_all<FirstHit>("first_triangle", mesh, rays, out, options, first_number_or_none);
+}
+void any_hit(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::uint8_t> out, const ManyRays& options) {
+  search_all<AnyHit>("any_hit", mesh, rays, out, options, is_found_byte);
+}
+void hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::vector<NumberedHit>> out,
+          const ManyRays& options) {
+  search_all<OrderedHits>("hits", mesh, rays, out, options, all_of);
+}
+void count_hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::size_t> out,
+                const ManyRays& options) {
+  search_all<CountedHits>("count_hits", mesh, rays, out, options, count_of);
+}
 
 }  // namespace plumb

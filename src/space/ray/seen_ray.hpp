@@ -33,8 +33,8 @@ struct SeenRay {
 
 class Sight {
  public:
-  explicit Sight(const PosedMesh& mesh) : Sight(mesh.pose, mesh.bvh.tree.frame, mesh.bvh.tree.box()) {}
-  explicit Sight(const PosedCompactMesh& mesh) : Sight(mesh.pose, mesh.bvh.tree.frame, mesh.bvh.tree.box()) {}
+  template <class Mesh>
+  explicit Sight(const PosedMeshOf<Mesh>& mesh) : Sight(mesh.pose, mesh.bvh.tree.frame, mesh.bvh.tree.box()) {}
   [[nodiscard]] std::optional<SeenRay> operator()(const AnyRay& ray) const;
 
  private:

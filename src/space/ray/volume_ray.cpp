@@ -57,7 +57,7 @@ std::optional<NumberedHit> first_volume_hit(const AnyRay& ray, const VolumeMesh<
 
 template <class Volume>
 bool any_volume_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
-  require_volume_shot("hits", ray, mesh);
+  require_volume_shot("any_hit", ray, mesh);
   const RayThrough through(ray);
   const VolumeTriangles triangles(ray, mesh.mesh, rule);
   const auto enters = [&](const VolumeNode<Volume>& node) {
@@ -76,18 +76,18 @@ bool any_volume_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule r
 }  // namespace space
 
 template <class Volume>
-std::optional<NumberedHit> first_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
+std::optional<NumberedHit> first_hit(const VolumeMesh<Volume>& mesh, const AnyRay& ray, HitRule rule) {
   return space::first_volume_hit(ray, mesh, rule);
 }
 
 template <class Volume>
-bool hits(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule) {
+bool any_hit(const VolumeMesh<Volume>& mesh, const AnyRay& ray, HitRule rule) {
   return space::any_volume_hit(ray, mesh, rule);
 }
 
 #define PLUMB_RAYS_OF(Volume)                                                                            \
-  template std::optional<NumberedHit> first_hit(const AnyRay&, const VolumeMesh<Volume>&, HitRule rule); \
-  template bool hits(const AnyRay&, const VolumeMesh<Volume>&, HitRule rule);
+  template std::optional<NumberedHit> first_hit(const VolumeMesh<Volume>&, const AnyRay&, HitRule rule); \
+  template bool any_hit(const VolumeMesh<Volume>&, const AnyRay&, HitRule rule);
 PLUMB_RAYS_OF(Sphere3)
 PLUMB_RAYS_OF(Aabb3)
 PLUMB_RAYS_OF(Obb3)

@@ -42,7 +42,7 @@ SweepAxis SweepArray::axis() const { return static_cast<SweepAxis>(state_->axis)
 std::size_t SweepArray::steps() const { return state_->steps; }
 bool SweepArray::from_scratch() const { return state_->from_scratch; }
 
-const std::vector<BoxPair>& SweepArray::pairs(std::span<const Aabb3> boxes) {
+const std::vector<BoxPair>& SweepArray::overlapping_pairs(std::span<const Aabb3> boxes) {
   State& s = *state_;
   space::SetBounds bounds;
   if (!space::find_bounds(boxes, bounds)) space::check_boxes("SweepArray::pairs", "boxes", boxes);

@@ -192,7 +192,7 @@ bool SweepLists::contains(std::uint32_t number) const {
 std::size_t SweepLists::size() const { return state_->size; }
 std::size_t SweepLists::steps() const { return state_->steps; }
 
-std::vector<BoxPair> SweepLists::pairs(std::vector<BoxPair> rows) const {
+std::vector<BoxPair> SweepLists::overlapping_pairs(std::vector<BoxPair> rows) const {
   const State& s = *state_;
   rows.clear();
   for (const std::uint64_t key : s.overlapping) {

@@ -122,7 +122,7 @@ void find_clashes(const TriangleMesh& mesh, const Bvh& surface, Execution execut
         relate_in_mesh(mesh.vertices, mesh.triangles[p.a], fillings.triangle(p.b)) != Relation::disjoint)
       hole.clashes = true;
   }
-  for (const TrianglePair& p : self_intersecting_pairs(bvh, asked))
+  for (const TrianglePair& p : intersecting_pairs(bvh, asked))
     holes[fillings.hole[p.a]].clashes = holes[fillings.hole[p.b]].clashes = true;
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> hole_of;  // of each edge of a filling
   for (std::uint32_t t = 0; t < fillings.mesh.triangles.size(); ++t) {

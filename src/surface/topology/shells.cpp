@@ -160,7 +160,7 @@ void take_pairs(const Bvh& bvh, const ShellOptions& options, MetShells& met) {
   if (space::is_split(bvh)) {  // a pair may be found several times
     const std::vector<std::uint32_t> slots = space::slots_of(bvh);
     met.begin(1);
-    for (const TrianglePair& pair : self_intersecting_pairs(bvh, asked))
+    for (const TrianglePair& pair : intersecting_pairs(bvh, asked))
       met.take(0, pair, bvh.triangle(slots[pair.a]), bvh.triangle(slots[pair.b]));
     return;
   }

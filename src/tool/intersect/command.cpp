@@ -30,13 +30,13 @@ void require_sound(const IntersectOptions& o) {
 }
 
 std::optional<TrianglePair> any_pair(const Bvh& a, const Bvh* b, const PairOptions& o) {
-  return b != nullptr ? any_intersecting_pair(a, *b, o) : any_self_intersecting_pair(a, o);
+  return b != nullptr ? any_intersecting_pair(a, *b, o) : any_intersecting_pair(a, o);
 }
 PairCount count_pairs(const Bvh& a, const Bvh* b, const PairOptions& o) {
-  return b != nullptr ? count_intersecting_pairs(a, *b, o) : count_self_intersecting_pairs(a, o);
+  return b != nullptr ? count_intersecting_pairs(a, *b, o) : count_intersecting_pairs(a, o);
 }
 std::vector<TrianglePair> all_pairs(const Bvh& a, const Bvh* b, const PairOptions& o) {
-  return b != nullptr ? intersecting_pairs(a, *b, o) : self_intersecting_pairs(a, o);
+  return b != nullptr ? intersecting_pairs(a, *b, o) : intersecting_pairs(a, o);
 }
 
 }  // namespace

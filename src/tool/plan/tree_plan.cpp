@@ -64,8 +64,7 @@ TreeTimes times_of(BvhMethod method, const TriangleMesh& mesh, const Questions& 
   const Bvh bvh = build_bvh(mesh, options);
   times.bytes = static_cast<double>(memory_of(bvh)) / static_cast<double>(mesh.triangles.size());
   times.ray_ns =
-      least_time([&] { first_triangles(questions.segments, bvh, given.hit, {.execution = Execution::serial}); }) /
-      asked;
+      least_time([&] { first_triangle(bvh, questions.segments, given.hit, {.execution = Execution::serial}); }) / asked;
   times.nearest_ns =
       least_time([&] { closest_on_mesh(bvh, questions.points, given.nearest, {.execution = Execution::serial}); }) /
       asked;

@@ -33,7 +33,7 @@ RayReport ray_report(const RayOptions& options, const OutputFiles& outputs) {
   for (const std::string& words : options.segments) report.rays.push_back(ray_of_words("--segment", words));
   report.mesh = std::move(read_asked_meshes(options.meshes, outputs).front());
   const Bvh bvh = build_bvh(report.mesh.mesh);
-  for (const NamedRay& ray : report.rays) report.hits.push_back(ordered_hits(ray.ray, bvh));
+  for (const NamedRay& ray : report.rays) report.hits.push_back(hits(bvh, ray.ray));
   return report;
 }
 

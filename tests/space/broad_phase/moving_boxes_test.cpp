@@ -60,7 +60,7 @@ struct Replay {
     std::set_difference(pairs.begin(), pairs.end(), now.begin(), now.end(), std::back_inserter(gone));
     ASSERT_EQ(changes.added, new_ones) << about;
     ASSERT_EQ(changes.lost, gone) << about;
-    ASSERT_EQ(world.pairs(), std::vector<HandlePair>(now.begin(), now.end())) << about;
+    ASSERT_EQ(world.overlapping_pairs(), std::vector<HandlePair>(now.begin(), now.end())) << about;
     ASSERT_EQ(world.size(), boxes.size());
     added += new_ones.size(), lost += gone.size();
     work = changes.work;
@@ -98,7 +98,7 @@ TEST(MovingBoxes, AreReplayedAgainstFromScratch) {
         handles.push_back(replay.handles[i]);
         boxes.push_back(box);
       }
-      replay.world.update(handles, boxes);
+      replay.world.move(handles, boxes);
       while (!replay.boxes.empty() && e.below(8) == 0) replay.remove(e.below(replay.boxes.size()));
       while (replay.boxes.size() < 2 * n && e.below(8) == 0) replay.insert(material[e.below(material.size())]);
       replay.expect("scene " + std::to_string(s) + ", frame " + std::to_string(frame));
@@ -130,7 +130,7 @@ TEST(MovingBoxes, AreSettledOneByOneWhereThatIsCheaper) {
       handles.push_back(replay.handles[i]);
       boxes.push_back(replay.boxes[i]);
     }
-    replay.world.update(handles, boxes);
+    replay.world.move(handles, boxes);
     replay.expect("shifted");
   };
   for (int frame = 0; frame < 20; ++frame) shift(1, 20);
@@ -177,7 +177,7 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
           if (frame < 8) box = moved(box, step(), step(), step());
           if (frame < 8 && e.below(16) == 0) box = some_box();
         }
-        replay.world.update(replay.handles, replay.boxes);
+        replay.world.move(replay.handles, replay.boxes);
       }
       expect("frame " + std::to_string(frame), 9);
       for (int few = 0; few < 3; ++few) {
@@ -185,7 +185,7 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
           const std::size_t i = e.below(replay.boxes.size());
           Aabb3& box = replay.boxes[i];
           box = e.coin() ? moved(box, step(), step(), frame > 7 ? 0 : step()) : replay.boxes[e.below(n / 2)];
-          replay.world.update(replay.handles[i], box);
+          replay.world.move(replay.handles[i], box);
         }
         expect("a few in frame " + std::to_string(frame), 3);
       }
@@ -199,7 +199,7 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
     const std::size_t kept = replay.kept;
     for (std::size_t i = 0; i < replay.boxes.size(); i += 10) {
       replay.boxes[i] = replay.boxes[0];
-      replay.world.update(replay.handles[i], replay.boxes[i]);
+      replay.world.move(replay.handles[i], replay.boxes[i]);
     }
     replay.expect("gathered");
     EXPECT_EQ(replay.kept, kept);
@@ -236,7 +236,7 @@ TEST(MovingBoxes, AreSweptWhereALongColumnMakesRoomTooOften) {
       replay.boxes[i] = {{at, 0, 0}, {at + 1, 1, 1}};
       handles.push_back(replay.handles[i]), boxes.push_back(replay.boxes[i]);
     }
-    replay.world.update(handles, boxes);
+    replay.world.move(handles, boxes);
     replay.expect("jumped");
     EXPECT_EQ(replay.work.from_scratch, every == 10) << every;
   }
@@ -249,7 +249,7 @@ TEST(MovingBoxes, MayGoFromOneEndOfTheNumbersToTheOther) {
   for (int i = 0; i < 20; ++i) flat.insert({{far, 0, i + 0.0}, {far, 1, i + 0.5}});
   flat.expect("at one end");
   for (Aabb3& box : flat.boxes) box.min.x = box.max.x = -far;
-  flat.world.update(flat.handles, flat.boxes);
+  flat.world.move(flat.handles, flat.boxes);
   flat.expect("at the other");
 
   Replay empty({});
@@ -268,7 +268,7 @@ TEST(MovingBoxes, RefuseWhatIsNotThereAndStayAsTheyWere) {
   world.remove(b);
   EXPECT_THAT(text_of<InvalidShape>([&] { world.remove(b); }),
               HasSubstr("MovingBoxes::remove: handle (slot 1, generation 0) was removed"));
-  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(b, far); }), HasSubstr("handles[0] (slot 1, generation 0) was"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.move(b, far); }), HasSubstr("handles[0] (slot 1, generation 0) was"));
   EXPECT_EQ(world.changes().lost, (std::vector<HandlePair>{{a, b}}));
   EXPECT_THAT(text_of<InvalidShape>([&] { world.remove(b); }), HasSubstr("was removed"));
   const BoxHandle c = world.insert(unit);
@@ -281,18 +281,18 @@ TEST(MovingBoxes, RefuseWhatIsNotThereAndStayAsTheyWere) {
   const Aabb3 empty{{0, 0, 0}, {1, -1, 1}}, infinite{{0, 0, 0}, {1, 1, std::numeric_limits<double>::infinity()}};
   EXPECT_THAT(text_of<InvalidShape>([&] { world.insert(empty); }), HasSubstr("MovingBoxes::insert: box is empty"));
   EXPECT_THAT(text_of<NonFinite>([&] { world.insert(infinite); }), HasSubstr("MovingBoxes::insert: box.max.z"));
-  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(a, empty); }), HasSubstr("boxes[0] is empty"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.move(a, empty); }), HasSubstr("boxes[0] is empty"));
   const BoxHandle twice[]{a, c, a}, stale[]{a, b};
   const Aabb3 far_ones[]{far, far, far};
-  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(twice, far_ones); }),
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.move(twice, far_ones); }),
               HasSubstr("handles[2] (slot 0, generation 0) is there twice"));
-  EXPECT_THAT(text_of<InvalidShape>([&] { world.update(stale, std::span<const Aabb3>(far_ones).first(2)); }),
+  EXPECT_THAT(text_of<InvalidShape>([&] { world.move(stale, std::span<const Aabb3>(far_ones).first(2)); }),
               HasSubstr("handles[1] (slot 1, generation 0) was removed"));
-  EXPECT_THAT(text_of<UnequalLengths>([&] { world.update(stale, far_ones); }), HasSubstr("2 items, but boxes has 3"));
+  EXPECT_THAT(text_of<UnequalLengths>([&] { world.move(stale, far_ones); }), HasSubstr("2 items, but boxes has 3"));
   EXPECT_EQ(world.box(a), unit);
   EXPECT_TRUE(world.changes().added.empty() && world.changes().lost.empty());
-  EXPECT_EQ(world.pairs(), (std::vector<HandlePair>{{a, c}}));
-  world.update(std::span<const BoxHandle>(twice).first(2), std::span<const Aabb3>(far_ones).first(2));
+  EXPECT_EQ(world.overlapping_pairs(), (std::vector<HandlePair>{{a, c}}));
+  world.move(std::span<const BoxHandle>(twice).first(2), std::span<const Aabb3>(far_ones).first(2));
   EXPECT_TRUE(world.changes().lost.empty());
   EXPECT_THAT(text_of<InvalidShape>([] { MovingBoxes({.margin = -1}); }), HasSubstr("options.margin is -1"));
 }
@@ -310,7 +310,7 @@ TEST(MovingBoxes, AreAskedByRegionsAndRaysAsTheyAreNow) {
   EXPECT_EQ(world.first_hit(along)->hit, *first_hit(along, unit));
   world.remove(b);
   EXPECT_EQ(world.first_hit(along)->box, c);
-  world.update(c, next);
+  world.move(c, next);
   EXPECT_EQ(world.first_hit(along)->box, a);
   EXPECT_FALSE(world.first_hit(Segment3{{-1, 0.5, 1}, {std::nextafter(1, 0), 0.5, 1}}));
   EXPECT_TRUE(world.in_box({{1, 0, 0}, {0, 1, 1}}).empty());

@@ -76,10 +76,10 @@ class Numbered : public World {
   void remove(Id id) override { index_.remove(number_of_[id]); }
   Pairs pairs(bool touching) override {
     Pairs pairs;
-    if constexpr (requires { index_.pairs({touching, Execution::serial}); }) {
-      pairs = index_.pairs({touching, Execution::serial});
+    if constexpr (requires { index_.overlapping_pairs({touching, Execution::serial}); }) {
+      pairs = index_.overlapping_pairs({touching, Execution::serial});
     } else {
-      pairs = index_.pairs();
+      pairs = index_.overlapping_pairs();
     }
     for (BoxPair& p : pairs) p = {id_of_[p.a], id_of_[p.b]};
     return ascending(std::move(pairs));
@@ -111,7 +111,7 @@ class Moving : public World {
   Moving(bool touching, double margin) : world_({.touching = touching, .margin = margin}) {}
 
   void insert(Id id, const Aabb3& box) override { name(id, world_.insert(box)); }
-  void move(Id id, const Aabb3& box) override { world_.update(handle_of_[id], box); }
+  void move(Id id, const Aabb3& box) override { world_.move(handle_of_[id], box); }
   void remove(Id id) override { world_.remove(handle_of_[id]); }
   Pairs pairs(bool) override {
     const BoxPairChanges& changes = world_.changes();
@@ -121,7 +121,7 @@ class Moving : public World {
     EXPECT_EQ(still.size() + changes.lost.size(), before_.size()) << "a pair is lost that was none";
     std::set_union(still.begin(), still.end(), changes.added.begin(), changes.added.end(), std::back_inserter(now));
     EXPECT_EQ(now.size(), still.size() + changes.added.size()) << "a pair is added that was one";
-    EXPECT_EQ(now, world_.pairs());
+    EXPECT_EQ(now, world_.overlapping_pairs());
     before_ = std::move(now);
     Pairs pairs;
     for (const HandlePair& p : before_) pairs.push_back({id_of_[p.a.slot], id_of_[p.b.slot]});
@@ -209,7 +209,7 @@ struct Swept : Kept {
     for (Id id = 0; id < boxes.size(); ++id) {
       if (boxes[id]) there.push_back(*boxes[id]), ids.push_back(id);
     }
-    Pairs pairs = sweep.pairs(there);
+    Pairs pairs = sweep.overlapping_pairs(there);
     for (BoxPair& p : pairs) p = {ids[p.a], ids[p.b]};
     return ascending(std::move(pairs));
   }

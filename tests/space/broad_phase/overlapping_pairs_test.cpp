@@ -195,7 +195,8 @@ TEST(OverlappingPairs, GoToEverySink) {
   overlapping_pairs(boxes, BoxPairSink(too_few));
   EXPECT_FALSE(too_few.all_fit());
   EXPECT_EQ(too_few.count(), expected.size());
-  EXPECT_TRUE(std::equal(too_few.pairs().begin(), too_few.pairs().end(), expected.begin(), expected.begin() + 1000));
+  EXPECT_TRUE(std::equal(too_few.overlapping_pairs().begin(), too_few.overlapping_pairs().end(), expected.begin(),
+                         expected.begin() + 1000));
 }
 
 TEST(OverlappingPairs, RefuseBadBoxesByName) {

@@ -100,11 +100,11 @@ TEST_F(CompactFile, GivesBackWhatWasWritten) {
       fs::remove(path_);  // the mapping stays
       expect_equal(copy, small);
       if (small.slots() == 0) continue;
-      EXPECT_EQ(self_intersecting_pairs(copy), self_intersecting_pairs(small));
+      EXPECT_EQ(intersecting_pairs(copy), intersecting_pairs(small));
       const Point3& p = mesh.vertices[0];
       EXPECT_EQ(closest_on_mesh(copy, p), closest_on_mesh(small, p));
       const Line3 line{p, {1, 0.5, 0.25}};
-      EXPECT_EQ(ordered_hits(line, copy), ordered_hits(line, small));
+      EXPECT_EQ(hits(copy, line), hits(small, line));
     }
   }
   EXPECT_TRUE(fs::is_empty(folder_));
@@ -235,8 +235,8 @@ TEST_F(CompactFile, MayBeAsDeepAsAStackHasRoom) {
   };
   EXPECT_FALSE(refused(chain(CompactTree::most_levels)));
   const CompactBvh deep = map_compact_bvh(path_);
-  EXPECT_EQ(count_hits(Ray3{{0.25, 0.25, 1}, {0, 0, -1}}, deep), 4u);
-  EXPECT_EQ(self_intersecting_pairs(deep).size(), 6u);
+  EXPECT_EQ(count_hits(deep, Ray3{{0.25, 0.25, 1}, {0, 0, -1}}), 4u);
+  EXPECT_EQ(intersecting_pairs(deep).size(), 6u);
   EXPECT_EQ(intersecting_pairs(deep, deep).size(), 16u);
   const Pose turn{{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}}, {1, 0, 0}};
   EXPECT_EQ(intersecting_pairs({deep, turn}, deep).size(), 16u);
@@ -265,10 +265,10 @@ TEST_F(CompactFile, TakesNoHarmFromAnyByte) {
         own.triangles[small.number(slot)] = small.corners_of(slot);
       const Bvh whole = build_bvh(own, {.execution = Execution::serial});
       const Line3 line{{0.1, 0.2, 0.05}, {1, 0.25, 0.125}};
-      ASSERT_EQ(ordered_hits(line, small), ordered_hits(line, whole)) << at << " " << flip;
+      ASSERT_EQ(hits(small, line), hits(whole, line)) << at << " " << flip;
       ASSERT_EQ(nearest_triangles(small, {2, 1, 0.5}, 4), nearest_triangles(whole, {2, 1, 0.5}, 4)) << at;
-      ASSERT_EQ(self_intersecting_pairs(small, {.execution = Execution::serial}),
-                self_intersecting_pairs(whole, {.execution = Execution::serial}))
+      ASSERT_EQ(intersecting_pairs(small, {.execution = Execution::serial}),
+                intersecting_pairs(whole, {.execution = Execution::serial}))
           << at;
     }
   }

@@ -68,7 +68,7 @@ TEST_F(EveryInstructionSet, FindsTheSamePairs) {
   }
   both.vertices.insert(both.vertices.end(), other_.vertices.begin(), other_.vertices.end());
   const Bvh of_both = build_bvh(both);
-  const auto own = same("own", [&](Execution e) { return self_intersecting_pairs(of_both, {.execution = e}); });
+  const auto own = same("own", [&](Execution e) { return intersecting_pairs(of_both, {.execution = e}); });
   EXPECT_EQ(own.size(), pairs.size());
   same("count", [&](Execution e) { return count_intersecting_pairs(a_, b_, {.execution = e}); });
   same("any", [&](Execution) { return any_intersecting_pair(a_, b_); });
@@ -116,19 +116,18 @@ TEST_F(EveryInstructionSet, FindsTheSameInRangesAndAlongRays) {
       std::vector<std::optional<NumberedHit>> first(rays.size());
       std::vector<std::vector<NumberedHit>> ordered(rays.size());
       std::vector<std::uint8_t> any(rays.size());
-      first_hits(rays, mesh, first, {.execution = e});
-      ordered_hits(rays, mesh, ordered, {.execution = e});
-      hits(rays, mesh, any, {.execution = e});
-      return std::tuple(triangles_meeting(mesh, std::span<const Aabb3>(boxes), {.execution = e}),
-                        triangles_meeting(mesh, std::span<const Sphere3>(balls), {.execution = e}), first, ordered,
-                        any);
+      first_hit(mesh, rays, first, {.execution = e});
+      hits(mesh, rays, ordered, {.execution = e});
+      any_hit(mesh, rays, any, {.execution = e});
+      return std::tuple(meeting(mesh, std::span<const Aabb3>(boxes), {.execution = e}),
+                        meeting(mesh, std::span<const Sphere3>(balls), {.execution = e}), first, ordered, any);
     });
   };
   const auto answers = ask(a_);
   EXPECT_TRUE(ask(small_) == answers);
   ask(PosedMesh{a_, quarter_turn});
   const auto dops = build_volume_tree<KDop3>(a_, {.k = 14});
-  same("volumes", [&](Execution) { return triangles_meeting(a_, dops, balls[0]); });
+  same("volumes", [&](Execution) { return meeting(a_, dops, balls[0]); });
   const std::vector<Point3> all = points();
   same("inside", [&](Execution e) {
     std::vector<Location> where(all.size());

@@ -87,8 +87,8 @@ TEST(RigidMesh, IsHitByRaysWhereTheWeightedMeshIs) {
     };
     const AnyRay ray = ray_times(1), large = ray_times(t.weight);
     for (const HitRule rule : {HitRule::closed, HitRule::half_open}) {
-      const std::vector<NumberedHit> expected = ordered_hits(large, PosedMesh{bvh, t.weighted}, rule);
-      const std::vector<NumberedHit> found = ordered_hits(ray, PosedMesh{bvh, t.pose}, rule);
+      const std::vector<NumberedHit> expected = hits(PosedMesh{bvh, t.weighted}, large, rule);
+      const std::vector<NumberedHit> found = hits(PosedMesh{bvh, t.pose}, ray, rule);
       ASSERT_EQ(found.size(), expected.size()) << m.about();
       for (std::size_t i = 0; i < found.size(); ++i) {
         ASSERT_EQ(found[i].index, expected[i].index) << m.about();
@@ -97,16 +97,16 @@ TEST(RigidMesh, IsHitByRaysWhereTheWeightedMeshIs) {
         expect_near(expected[i].hit.point.x, t.weight, found[i].hit.point.x);
         expect_near(expected[i].hit.normal.z, t.weight * t.weight, found[i].hit.normal.z);
       }
-      ASSERT_EQ(ordered_hits(ray, PosedCompactMesh{small_bvh, t.pose}, rule), found) << m.about();
-      ASSERT_EQ(first_hit(ray, PosedMesh{bvh, t.pose}, rule), found.empty() ? std::nullopt : std::optional(found[0]))
+      ASSERT_EQ(hits(PosedCompactMesh{small_bvh, t.pose}, ray, rule), found) << m.about();
+      ASSERT_EQ(first_hit(PosedMesh{bvh, t.pose}, ray, rule), found.empty() ? std::nullopt : std::optional(found[0]))
           << m.about();
-      ASSERT_EQ(hits(ray, PosedMesh{bvh, t.pose}, rule), !found.empty()) << m.about();
-      ASSERT_EQ(count_hits(ray, PosedMesh{bvh, t.pose}, rule), found.size()) << m.about();
+      ASSERT_EQ(any_hit(PosedMesh{bvh, t.pose}, ray, rule), !found.empty()) << m.about();
+      ASSERT_EQ(count_hits(PosedMesh{bvh, t.pose}, ray, rule), found.size()) << m.about();
       std::vector<std::optional<NumberedHit>> out(1);
-      first_hits({&ray, 1}, PosedMesh{bvh, t.pose}, out, {.rule = rule});
+      first_hit(PosedMesh{bvh, t.pose}, {&ray, 1}, out, {.rule = rule});
       ASSERT_EQ(out[0], found.empty() ? std::nullopt : std::optional(found[0])) << m.about();
     }
-    hit += hits(ray, PosedMesh{bvh, t.pose}) ? 1 : 0;
+    hit += any_hit(PosedMesh{bvh, t.pose}, ray) ? 1 : 0;
   });
   EXPECT_GT(hit, battery::fitting(30));
 }
@@ -133,8 +133,8 @@ TEST(RigidMesh, MeetsTheFiguresThatTheWeightedMeshMeets) {
     const Turned t = turned(m);
     const double w = t.weight;
     const auto same = [&](const auto& shape, const auto& large) {
-      const auto found = triangles_meeting(PosedMesh{bvh, t.pose}, shape);
-      ASSERT_EQ(found, triangles_meeting(PosedMesh{bvh, t.weighted}, large)) << m.about();
+      const auto found = meeting(PosedMesh{bvh, t.pose}, shape);
+      ASSERT_EQ(found, meeting(PosedMesh{bvh, t.weighted}, large)) << m.about();
       met += static_cast<long>(found.size());
     };
     const Point3 p = lattice_point(m, 5), q = lattice_point(m, 5);
@@ -163,7 +163,7 @@ TEST(RigidMesh, MeetsTheTrianglesThatTheWeightedMeshMeets) {
     const auto pairs = intersecting_pairs({a, s.pose}, {b, t.pose});
     ASSERT_EQ(pairs, intersecting_pairs(large_a, large_b)) << m.about();
     ASSERT_EQ(any_intersecting_pair({a, s.pose}, {b, t.pose}).has_value(), !pairs.empty()) << m.about();
-    ASSERT_EQ(self_intersecting_pairs({a, s.pose}), self_intersecting_pairs(a)) << m.about();
+    ASSERT_EQ(intersecting_pairs({a, s.pose}), intersecting_pairs(a)) << m.about();
     met += static_cast<long>(pairs.size());
     const auto common = intersections({a, s.pose}, {b, t.pose}, pairs);
     const auto large = intersections(large_a, large_b, pairs);
@@ -281,7 +281,7 @@ TEST(RigidMesh, UnderVolumesOfAnyKindMeetsWhatItMeetsWithoutThem) {
 TEST(RigidMesh, RefusesWhatIsNoPose) {
   const Bvh unit = build_bvh(TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   const RigidPose no_turn{{0, 0, 0, 0}, {0, 0, 0}}, nan{{1, 0, 0, 0}, {0, std::nan(""), 0}};
-  EXPECT_THROW((void)first_hit(Ray3{{0, 0, 9}, {0, 0, -1}}, {unit, no_turn}), InvalidShape);
+  EXPECT_THROW((void)first_hit({unit, no_turn}, Ray3{{0, 0, 9}, {0, 0, -1}}), InvalidShape);
   EXPECT_THROW((void)intersecting_pairs({unit, RigidChain{{no_turn}}}, unit), InvalidShape);
   EXPECT_EQ(text_of<NonFinite>([&] {
               (void)closest_on_mesh({unit, nan}, Point3{0, 0, 0});

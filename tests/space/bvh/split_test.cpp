@@ -98,11 +98,11 @@ struct Question {
 template <class Mesh>
 void expect_same(const Mesh& a, const Mesh& b, const Mesh& other, const Question& q, const std::string& about) {
   for (const HitRule rule : {HitRule::closed, HitRule::half_open}) {
-    EXPECT_EQ(first_hit(q.ray, a, rule), first_hit(q.ray, b, rule)) << about;
-    EXPECT_EQ(first_triangle(q.ray, a, rule), first_triangle(q.ray, b, rule)) << about;
-    EXPECT_EQ(hits(q.ray, a, rule), hits(q.ray, b, rule)) << about;
-    EXPECT_EQ(ordered_hits(q.ray, a, rule), ordered_hits(q.ray, b, rule)) << about;
-    EXPECT_EQ(count_hits(q.ray, a, rule), count_hits(q.ray, b, rule)) << about;
+    EXPECT_EQ(first_hit(a, q.ray, rule), first_hit(b, q.ray, rule)) << about;
+    EXPECT_EQ(first_triangle(a, q.ray, rule), first_triangle(b, q.ray, rule)) << about;
+    EXPECT_EQ(any_hit(a, q.ray, rule), any_hit(b, q.ray, rule)) << about;
+    EXPECT_EQ(hits(a, q.ray, rule), hits(b, q.ray, rule)) << about;
+    EXPECT_EQ(count_hits(a, q.ray, rule), count_hits(b, q.ray, rule)) << about;
   }
   EXPECT_EQ(locate(a, q.point), locate(b, q.point)) << about;
   EXPECT_EQ(winding_number(a, q.point), winding_number(b, q.point)) << about;
@@ -114,14 +114,14 @@ void expect_same(const Mesh& a, const Mesh& b, const Mesh& other, const Question
     const double d = near.back().distance;
     EXPECT_EQ(triangles_within(a, q.point, d), triangles_within(b, q.point, d)) << about;
   }
-  EXPECT_EQ(triangles_meeting(a, q.box), triangles_meeting(b, q.box)) << about;
+  EXPECT_EQ(meeting(a, q.box), meeting(b, q.box)) << about;
   EXPECT_EQ(intersecting_pairs(a, other), intersecting_pairs(b, other)) << about;
   EXPECT_EQ(intersecting_pairs(other, a), intersecting_pairs(other, b)) << about;
   EXPECT_EQ(count_intersecting_pairs(a, other), count_intersecting_pairs(b, other)) << about;
-  EXPECT_EQ(self_intersecting_pairs(a), self_intersecting_pairs(b)) << about;
-  EXPECT_EQ(count_self_intersecting_pairs(a), count_self_intersecting_pairs(b)) << about;
+  EXPECT_EQ(intersecting_pairs(a), intersecting_pairs(b)) << about;
+  EXPECT_EQ(count_intersecting_pairs(a), count_intersecting_pairs(b)) << about;
   EXPECT_EQ(any_intersecting_pair(a, other).has_value(), any_intersecting_pair(b, other).has_value()) << about;
-  EXPECT_EQ(any_self_intersecting_pair(a).has_value(), any_self_intersecting_pair(b).has_value()) << about;
+  EXPECT_EQ(any_intersecting_pair(a).has_value(), any_intersecting_pair(b).has_value()) << about;
   EXPECT_EQ(closest_triangles(a, other, {.first = true}), closest_triangles(b, other, {.first = true})) << about;
   EXPECT_EQ(closest_triangles(other, a, {.first = true}), closest_triangles(other, b, {.first = true})) << about;
   const auto pairs = intersecting_pairs(b, other);
@@ -168,18 +168,18 @@ TEST(Split, AnswersAsBruteForceOfNeedles) {
     EXPECT_GT(bvh.triangles.size(), 2 * mesh.triangles.size()) << name_of(method);
     EXPECT_LE(bvh.triangles.size(), 5 * mesh.triangles.size()) << name_of(method);
     EXPECT_EQ(space::broken_law(bvh), "") << name_of(method);
-    EXPECT_EQ(self_intersecting_pairs(bvh), own) << name_of(method);
-    EXPECT_EQ(count_self_intersecting_pairs(bvh).touching + count_self_intersecting_pairs(bvh).overlapping, own.size());
+    EXPECT_EQ(intersecting_pairs(bvh), own) << name_of(method);
+    EXPECT_EQ(count_intersecting_pairs(bvh).touching + count_intersecting_pairs(bvh).overlapping, own.size());
     Entropy e(12);
     const auto number = [&] { return 100 * signed_unit_coordinate(e); };
     for (int i = 0; i < 100; ++i) {
       const AnyRay ray = Segment3{{number(), number(), number()}, mesh.vertices[e.below(mesh.vertices.size())]};
       const auto expected = mesh_rays::true_hits(ray, mesh, HitRule::closed);
-      const auto found = ordered_hits(ray, bvh);
+      const auto found = hits(bvh, ray);
       ASSERT_EQ(found.size(), expected.size());
       for (std::size_t h = 0; h < found.size(); ++h) EXPECT_EQ(found[h].index, expected[h].index);
-      EXPECT_EQ(count_hits(ray, bvh), expected.size());
-      const auto first = first_triangle(ray, bvh);
+      EXPECT_EQ(count_hits(bvh, ray), expected.size());
+      const auto first = first_triangle(bvh, ray);
       EXPECT_EQ(first.value_or(no_triangle), expected.empty() ? no_triangle : expected[0].index);
     }
   }
@@ -213,11 +213,11 @@ TEST(Split, MovesAndIsRebuilt) {
   refit(bvh, mesh.vertices, Execution::serial);
   EXPECT_EQ(space::broken_law(bvh), "");
   expect_covered(bvh, mesh, "refitted");
-  const auto own = self_intersecting_pairs(split(mesh, 0));
-  EXPECT_EQ(self_intersecting_pairs(bvh), own);
+  const auto own = intersecting_pairs(split(mesh, 0));
+  EXPECT_EQ(intersecting_pairs(bvh), own);
   EXPECT_GT(rebuild_parts(bvh, 1), 0u);
   EXPECT_EQ(space::broken_law(bvh), "");
-  EXPECT_EQ(self_intersecting_pairs(bvh), own);
+  EXPECT_EQ(intersecting_pairs(bvh), own);
   const Point3 p{1, 2, 3};
   EXPECT_EQ(nearest_triangles(bvh, p, 20), nearest_triangles(split(mesh, 0), p, 20));
 }
@@ -229,7 +229,7 @@ TEST(Split, GoesToAFileWhichMustCoverItsTriangles) {
   write_bvh(path, bvh);
   const Bvh kept = map_bvh(path);
   EXPECT_TRUE(std::ranges::equal(kept.tree.nodes.view(), bvh.tree.nodes.view()));
-  EXPECT_EQ(self_intersecting_pairs(kept), self_intersecting_pairs(bvh));
+  EXPECT_EQ(intersecting_pairs(kept), intersecting_pairs(bvh));
   std::filesystem::remove(path);
 
   // A leaf's box that is cut in half holds less, in half of the cases where another leaf does not.

@@ -33,10 +33,10 @@ void expect_groups(const TriangleMesh& mesh, const Bvh& bvh, const std::vector<S
     found += expected[i].size();
   }
   const std::span<const Shape> asked(shapes);
-  ASSERT_EQ(grouped_triangles_meeting(bvh, asked, {.execution = Execution::serial}), expected) << about;
-  ASSERT_EQ(grouped_triangles_meeting(bvh, asked), expected) << about;
-  ASSERT_EQ(triangles_meeting(bvh, asked), expected) << about;
-  ASSERT_EQ(triangles_meeting_any(bvh, asked, seen), Numbers(any.begin(), any.end())) << about;
+  ASSERT_EQ(grouped_meeting(bvh, asked, {.execution = Execution::serial}), expected) << about;
+  ASSERT_EQ(grouped_meeting(bvh, asked), expected) << about;
+  ASSERT_EQ(meeting(bvh, asked), expected) << about;
+  ASSERT_EQ(meeting_any(bvh, asked, seen), Numbers(any.begin(), any.end())) << about;
 }
 
 TEST(GroupedRange, FindsWhatEachShapeMeets) {
@@ -79,12 +79,12 @@ TEST(GroupedRange, OfSwarmsFrameByFrame) {
       boxes.push_back({{x, y, -0.5}, {x + 0.125, y + 0.125, 0.5}});
     }
     const std::span<const Aabb3> asked(boxes);
-    const auto each = triangles_meeting(bvh, asked);
+    const auto each = meeting(bvh, asked);
     std::set<std::uint32_t> any;
     for (const Numbers& numbers : each) any.insert(numbers.begin(), numbers.end());
-    ASSERT_EQ(triangles_meeting_any(bvh, asked, seen), Numbers(any.begin(), any.end())) << frame;
+    ASSERT_EQ(meeting_any(bvh, asked, seen), Numbers(any.begin(), any.end())) << frame;
     if (frame % 50 == 0) {
-      ASSERT_EQ(grouped_triangles_meeting(bvh, asked), each) << frame;
+      ASSERT_EQ(grouped_meeting(bvh, asked), each) << frame;
     }
     found += any.size();
   }
@@ -101,8 +101,8 @@ TEST(KeptRange, FindsWhatTheTreeFinds) {
     const double margins[] = {0, 0.5, 8, 1e308};
     KeptRange near(bvh, margins[m.below(4)]);
     const auto ask = [&](const auto& shape) {
-      const Numbers numbers = near.triangles_meeting(shape);
-      ASSERT_EQ(numbers, triangles_meeting(bvh, shape)) << m.about();
+      const Numbers numbers = near.meeting(shape);
+      ASSERT_EQ(numbers, meeting(bvh, shape)) << m.about();
       ++(near.by_row() ? by_row : by_tree);
       found += numbers.size();
     };
@@ -143,8 +143,8 @@ TEST(KeptRange, OfABallThatRollsThroughARing) {
   std::size_t rows = 0, found = 0;
   for (int frame = 0; frame < 400; ++frame) {
     const Sphere3 ball{{-1.5 + frame * 0.0078125, 0.25, 0}, 0.25};
-    const Numbers numbers = near.triangles_meeting(ball);
-    ASSERT_EQ(numbers, triangles_meeting(bvh, ball)) << frame;
+    const Numbers numbers = near.meeting(ball);
+    ASSERT_EQ(numbers, meeting(bvh, ball)) << frame;
     rows += near.by_row() ? 1 : 0, found += numbers.size();
   }
   EXPECT_GT(rows, 380u);
@@ -152,25 +152,25 @@ TEST(KeptRange, OfABallThatRollsThroughARing) {
   EXPECT_LT(near.row_size(), mesh.triangles.size());
   // What leaps is never kept.
   for (int leap = 0; leap < 9; ++leap) {
-    (void)near.triangles_meeting(Sphere3{{leap % 2 == 0 ? 1.0 : -1.0, 0, 0}, 0.125});
+    (void)near.meeting(Sphere3{{leap % 2 == 0 ? 1.0 : -1.0, 0, 0}, 0.125});
     EXPECT_FALSE(near.by_row());
   }
   const Aabb3 all{{-9, -9, -9}, {9, 9, 9}};
-  EXPECT_EQ(near.triangles_meeting(all).size(), mesh.triangles.size());
+  EXPECT_EQ(near.meeting(all).size(), mesh.triangles.size());
   for (Point3& p : mesh.vertices) p.z += 100;
   refit(bvh, mesh.vertices);
   near.forget();
-  EXPECT_TRUE(near.triangles_meeting(all).empty());
-  EXPECT_TRUE(near.triangles_meeting(all).empty());
+  EXPECT_TRUE(near.meeting(all).empty());
+  EXPECT_TRUE(near.meeting(all).empty());
   EXPECT_TRUE(near.by_row());
-  EXPECT_TRUE(near.triangles_meeting(Aabb3{{1, 0, 0}, {0, 1, 1}}).empty());
+  EXPECT_TRUE(near.meeting(Aabb3{{1, 0, 0}, {0, 1, 1}}).empty());
   const double most = std::numeric_limits<double>::max();
   const Sphere3 world{{most, 0, 100}, most};  // which no box of doubles holds
-  EXPECT_EQ(near.triangles_meeting(world), triangles_meeting(bvh, world));
-  EXPECT_FALSE(near.triangles_meeting(world).empty());
+  EXPECT_EQ(near.meeting(world), meeting(bvh, world));
+  EXPECT_FALSE(near.meeting(world).empty());
   const Sphere3 negative{{0, 0, 0}, -1};
-  EXPECT_EQ(text_of<InvalidShape>([&] { (void)near.triangles_meeting(negative); }),
-            text_of<InvalidShape>([&] { (void)triangles_meeting(bvh, negative); }));
+  EXPECT_EQ(text_of<InvalidShape>([&] { (void)near.meeting(negative); }),
+            text_of<InvalidShape>([&] { (void)meeting(bvh, negative); }));
   EXPECT_EQ(text_of<InvalidShape>([&] { KeptRange(bvh, -1); }),
             "KeptRange: margin is -1.000000, but it must be finite and not negative");
 }
@@ -178,17 +178,17 @@ TEST(KeptRange, OfABallThatRollsThroughARing) {
 TEST(GroupedRange, OfNothingAndOfNoShape) {
   const Bvh none = build_bvh(TriangleMesh{}), ring = build_bvh(meshes::ring(3));
   VisitStamps seen;
-  EXPECT_TRUE(grouped_triangles_meeting(ring, std::span<const Aabb3>()).empty());
-  EXPECT_TRUE(triangles_meeting_any(ring, std::span<const Segment3>(), seen).empty());
+  EXPECT_TRUE(grouped_meeting(ring, std::span<const Aabb3>()).empty());
+  EXPECT_TRUE(meeting_any(ring, std::span<const Segment3>(), seen).empty());
   const std::vector<Aabb3> boxes{{{-9, -9, -9}, {9, 9, 9}}, {{1, 0, 0}, {0, 1, 1}}};
-  EXPECT_EQ(grouped_triangles_meeting(none, std::span<const Aabb3>(boxes)), std::vector<Numbers>(2));
-  EXPECT_TRUE(triangles_meeting_any(none, std::span<const Aabb3>(boxes), seen).empty());
-  EXPECT_EQ(triangles_meeting_any(ring, std::span<const Aabb3>(boxes), seen).size(), 36u);
+  EXPECT_EQ(grouped_meeting(none, std::span<const Aabb3>(boxes)), std::vector<Numbers>(2));
+  EXPECT_TRUE(meeting_any(none, std::span<const Aabb3>(boxes), seen).empty());
+  EXPECT_EQ(meeting_any(ring, std::span<const Aabb3>(boxes), seen).size(), 36u);
   const std::vector<Segment3> broken{{{0, 0, 0}, {NAN, 0, 0}}};
   const std::span<const Segment3> asked(broken);
-  const std::string plain = text_of<NonFinite>([&] { (void)triangles_meeting(ring, asked); });
-  EXPECT_EQ(text_of<NonFinite>([&] { (void)grouped_triangles_meeting(ring, asked); }), plain);
-  EXPECT_EQ(text_of<NonFinite>([&] { (void)triangles_meeting_any(ring, asked, seen); }), plain);
+  const std::string plain = text_of<NonFinite>([&] { (void)meeting(ring, asked); });
+  EXPECT_EQ(text_of<NonFinite>([&] { (void)grouped_meeting(ring, asked); }), plain);
+  EXPECT_EQ(text_of<NonFinite>([&] { (void)meeting_any(ring, asked, seen); }), plain);
 }
 
 }  // namespace

@@ -109,8 +109,8 @@ TEST(LastTriangle, OfARayAnswersAsWithoutIt) {
     for (int frame = 0; frame < 10; ++frame) {
       const std::string about = m.about() + " frame " + std::to_string(frame) + " " + mesh_rays::text_of(ray);
       const HitRule rule = m.below(2) == 0 ? HitRule::closed : HitRule::half_open;
-      const bool expected = hits(ray, bvh, rule);
-      ASSERT_EQ(hits(ray, bvh, any, rule), expected) << about;
+      const bool expected = any_hit(bvh, ray, rule);
+      ASSERT_EQ(any_hit(bvh, ray, any, rule), expected) << about;
       ++(expected ? hit : missed);
       if (!mesh.vertices.empty() && m.below(2) == 0) {
         refit(bvh, mesh.vertices = next_vertices(m, mesh.vertices, first));
@@ -133,8 +133,8 @@ TEST(LastAnswers, AreGuesses) {
     LastTriangle a{slot}, b{slot}, c{slot}, d{slot};
     EXPECT_EQ(closest_on_mesh(ring, p, a), closest_on_mesh(ring, p));
     EXPECT_EQ(closest_on_mesh(none, p, b), std::nullopt);
-    EXPECT_TRUE(hits(ray, ring, c));
-    EXPECT_FALSE(hits(ray, none, d));
+    EXPECT_TRUE(any_hit(ring, ray, c));
+    EXPECT_FALSE(any_hit(none, ray, d));
     LastPair f{slot, 3}, g{3, slot}, h{slot, slot};
     EXPECT_EQ(closest_triangles(ring, ring, f, {.first = true}), closest_triangles(ring, ring, {.first = true}));
     EXPECT_EQ(closest_triangles(none, ring, g), std::nullopt);
@@ -149,10 +149,10 @@ TEST(LastAnswers, AreGuesses) {
               (void)closest_on_mesh(ring, Point3{NAN, 0, 0});
             }));
   EXPECT_EQ(text_of<NonFinite>([&] {
-              (void)hits(Ray3{{NAN, 0, 0}, {1, 0, 0}}, ring, near);
+              (void)any_hit(ring, Ray3{{NAN, 0, 0}, {1, 0, 0}}, near);
             }),
             text_of<NonFinite>([&] {
-              (void)hits(Ray3{{NAN, 0, 0}, {1, 0, 0}}, ring);
+              (void)any_hit(ring, Ray3{{NAN, 0, 0}, {1, 0, 0}});
             }));
 }
 

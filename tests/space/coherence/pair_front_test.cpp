@@ -48,8 +48,7 @@ TEST(PairFront, OfMeshesThatBendIsThatOfADescent) {
       }
       ASSERT_EQ(front.size(), serial.size());
       ASSERT_EQ(front.work(), serial.work());
-      ASSERT_EQ(own.self_intersecting_pairs(a, options), self_intersecting_pairs(a, options))
-          << m.about() << " frame " << frame;
+      ASSERT_EQ(own.intersecting_pairs(a, options), intersecting_pairs(a, options)) << m.about() << " frame " << frame;
       pairs += expected.size();
       kept += front.work().from_roots ? 0 : 1;
       if (m.below(3) != 0) refit(a, mesh_a.vertices = next_vertices(m, mesh_a.vertices, first_a));
@@ -82,8 +81,8 @@ TEST(PairFront, OfPosedMeshesIsThatOfADescent) {
       kept += front.work().from_roots ? 0 : 1;
       Pose flat = pose_a;  // as a shadow, as a rule: else it is the question without a pose
       if (m.below(4) != 0) flat.columns[m.below(3)] = {0, 0, 0};
-      const Pairs of_one = self_intersecting_pairs({a, flat});
-      ASSERT_EQ(own.self_intersecting_pairs({a, flat}), of_one) << m.about() << " frame " << frame;
+      const Pairs of_one = intersecting_pairs({a, flat});
+      ASSERT_EQ(own.intersecting_pairs({a, flat}), of_one) << m.about() << " frame " << frame;
       own_pairs += of_one.size();
       own_kept += own.work().from_roots ? 0 : 1;
       pose_a = next_pose(m, pose_a);
@@ -106,10 +105,10 @@ TEST(PairFront, OfAShadowIsKept) {
   for (int frame = 0; frame < 5; ++frame) {
     const double tilt = frame * 0x1p-8;
     const PosedMesh shadow{mesh, {{{{1, 0, 0}, {tilt, 1, 0}, {0, tilt, 0}}}, {0.25, 0, 0}}};
-    const Pairs expected = self_intersecting_pairs(shadow);
+    const Pairs expected = intersecting_pairs(shadow);
     begun.forget();
-    ASSERT_EQ(begun.self_intersecting_pairs(shadow), expected) << frame;
-    ASSERT_EQ(own.self_intersecting_pairs(shadow), expected) << frame;
+    ASSERT_EQ(begun.intersecting_pairs(shadow), expected) << frame;
+    ASSERT_EQ(own.intersecting_pairs(shadow), expected) << frame;
     EXPECT_FALSE(expected.empty());
     if (own.work().from_roots) continue;
     ++kept;
@@ -168,7 +167,7 @@ TEST(PairFront, OfLatticesThatTouch) {
     refit(moving, moved(mesh, x, frame % 5 == 0 ? 9 : frame % 3).vertices);
     const Pairs expected = intersecting_pairs(moving, still);
     ASSERT_EQ(front.intersecting_pairs(moving, still), expected) << frame;
-    ASSERT_EQ(own.self_intersecting_pairs(moving), self_intersecting_pairs(moving)) << frame;
+    ASSERT_EQ(own.intersecting_pairs(moving), intersecting_pairs(moving)) << frame;
     for (const TrianglePair& p : expected) touching += p.relation == Relation::touching ? 1 : 0;
   }
   EXPECT_GT(touching, 500u);
@@ -188,7 +187,7 @@ TEST(PairFront, IsAskedAboutOtherMeshesAndNone) {
         ASSERT_EQ(front.intersecting_pairs(*a, *b), intersecting_pairs(*a, *b));
         const Pose pose{identity_pose.columns, {0.5, 0, 0}};
         ASSERT_EQ(front.intersecting_pairs({*a, pose}, *b), intersecting_pairs({*a, pose}, *b));
-        ASSERT_EQ(front.self_intersecting_pairs(*b), self_intersecting_pairs(*b));
+        ASSERT_EQ(front.intersecting_pairs(*b), intersecting_pairs(*b));
       }
     }
   }

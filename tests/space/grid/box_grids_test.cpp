@@ -127,7 +127,8 @@ void expect_pairs(const Grid& grid, const std::vector<Box>& boxes, const std::ve
   for (const bool touching : {true, false}) {
     const std::vector<BoxPair> expected = by_brute_force(boxes, there, touching);
     for (const Execution execution : {Execution::serial, Execution::parallel}) {
-      ASSERT_EQ(sorted(grid.pairs({touching, execution})), expected) << what << (touching ? ", touching" : "");
+      ASSERT_EQ(sorted(grid.overlapping_pairs({touching, execution})), expected)
+          << what << (touching ? ", touching" : "");
     }
   }
 }
@@ -279,28 +280,28 @@ TEST(BoxGrids, TellTheSamePairsOnAnyNumberOfThreads) {
   RowColumnGrid3 rows;
   HashedGrid3 hashed(grid.cell_size());
   for (const Aabb3& b : boxes) levels.insert(b), bits.insert(b), rows.insert(b), hashed.insert(b);
-  const std::vector<BoxPair> serial = grid.pairs({.execution = Execution::serial});
+  const std::vector<BoxPair> serial = grid.overlapping_pairs({.execution = Execution::serial});
   if (battery::reaches_rare) {
     EXPECT_GT(serial.size(), boxes.size() / 2);
   }
-  EXPECT_EQ(sorted(levels.pairs()), sorted(serial));
-  EXPECT_EQ(sorted(hashed.pairs()), sorted(serial));
-  EXPECT_EQ(bits.pairs(), sorted(serial));
-  EXPECT_EQ(rows.pairs(), sorted(serial));
+  EXPECT_EQ(sorted(levels.overlapping_pairs()), sorted(serial));
+  EXPECT_EQ(sorted(hashed.overlapping_pairs()), sorted(serial));
+  EXPECT_EQ(bits.overlapping_pairs(), sorted(serial));
+  EXPECT_EQ(rows.overlapping_pairs(), sorted(serial));
   for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
     const ThreadLimit limit(threads);
-    EXPECT_EQ(grid.pairs(), serial);
-    EXPECT_EQ(levels.pairs(), levels.pairs({.execution = Execution::serial}));
+    EXPECT_EQ(grid.overlapping_pairs(), serial);
+    EXPECT_EQ(levels.overlapping_pairs(), levels.overlapping_pairs({.execution = Execution::serial}));
   }
 }
 
 TEST(BoxGrids, OfNothing) {
   const StaticGrid3 none{std::span<const Aabb3>()};
-  EXPECT_TRUE(none.pairs().empty());
+  EXPECT_TRUE(none.overlapping_pairs().empty());
   EXPECT_TRUE(none.in_box({{0, 0, 0}, {1, 1, 1}}).empty());
-  EXPECT_TRUE(HashedGrid2(1).pairs().empty());
+  EXPECT_TRUE(HashedGrid2(1).overlapping_pairs().empty());
   EXPECT_TRUE(HierarchicalGrid2().in_box({{0, 0}, {1, 1}}).empty());
-  EXPECT_TRUE(RowColumnGrid2().pairs().empty());
+  EXPECT_TRUE(RowColumnGrid2().overlapping_pairs().empty());
   EXPECT_TRUE(ImplicitGrid2(1).in_box({{0, 0}, {1, 1}}).empty());
   EXPECT_EQ(choose_cell_size(std::span<const Aabb2>()).size, 1);
 }
@@ -343,7 +344,7 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   ImplicitGrid2 bits(1, {.most_memory = 5000});
   for (int i = 0; i < 64; ++i) bits.insert(boxes[0]);
   EXPECT_THAT(text_of<Error>([&] { bits.insert(boxes[0]); }), HasSubstr("choose fewer rows"));
-  EXPECT_EQ(bits.pairs().size(), 64u * 63 / 2);
+  EXPECT_EQ(bits.overlapping_pairs().size(), 64u * 63 / 2);
   EXPECT_THAT(text_of<InvalidShape>([] { ImplicitGrid2(1, {.rows = 3}); }), HasSubstr("options.rows is 3"));
   EXPECT_THAT(text_of<InvalidShape>([] { RowColumnGrid2({.rows = 0}); }), HasSubstr("options.rows is 0"));
   EXPECT_THAT(text_of<InvalidShape>([] { HierarchicalGrid2({.least_level = 2000}); }),
@@ -362,7 +363,7 @@ TEST(BoxGrids, HaveALevelForEachSize) {
   }
   EXPECT_EQ(grid.levels(), handles.size());
   EXPECT_EQ(rows.levels(), handles.size());
-  EXPECT_EQ(grid.pairs().size(), handles.size() * (handles.size() - 1) / 2);
+  EXPECT_EQ(grid.overlapping_pairs().size(), handles.size() * (handles.size() - 1) / 2);
   for (const std::uint32_t h : handles) grid.remove(h), rows.remove(h);
   EXPECT_EQ(grid.levels(), 0u);
   EXPECT_EQ(rows.levels(), 0u);

@@ -234,7 +234,8 @@ TEST(GridWalk, GoesOnExactlyForManyCells) {
   const int steps = battery::sanitized ? 20'000 : 200'000;
   for (const double size : {1.0, 0.1, 0x1.23456789abcdep-37, 1e200}) {
     for (const auto& [p, q] : {std::pair{3, 2}, {1, 1}, {1000, 1}, {123457, 98765}}) {
-      GridWalk2 walk({{0, 0}, {size, size}}, Ray2{{0, 0}, {static_cast<double>(p), static_cast<double>(q)}});
+      GridWalk2 walk({{0, 0}, {size, size}}, Ray2{{0, 0}, {static_cast<double>(p), static_cast<double>(q)}},
+                     {.cells = WalkedCells::half_open});
       std::int64_t i = 0, k = 0;
       for (int step = 0; step < steps; ++step) {
         ASSERT_TRUE(walk.next());
@@ -269,7 +270,7 @@ TEST(GridWalk, IsExactWhereCellsHaveLargeNumbers) {
 }
 
 TEST(GridWalk, EndsWhereCellsHaveNoNumbers) {
-  GridWalk2 walk({{0, 0}, {1, 1}}, Ray2{{0x1p62 - 1024, 0.5}, {1, 0}});
+  GridWalk2 walk({{0, 0}, {1, 1}}, Ray2{{0x1p62 - 1024, 0.5}, {1, 0}}, {.cells = WalkedCells::half_open});
   int cells = 0;
   while (walk.next()) ++cells;
   EXPECT_EQ(cells, 1024);
@@ -284,7 +285,7 @@ TEST(GridWalk, OfAPoint) {
   std::vector<Cell2> cells;
   while (corner.next()) cells.push_back(corner.cell());
   EXPECT_EQ(cells, (std::vector<Cell2>{{1, 2}, {2, 2}, {1, 3}, {2, 3}}));
-  GridWalk2 one(grid, Ray2{{2, 3}, {0, -0.0}});
+  GridWalk2 one(grid, Ray2{{2, 3}, {0, -0.0}}, {.cells = WalkedCells::half_open});
   ASSERT_TRUE(one.next());
   EXPECT_EQ(one.cell(), (Cell2{2, 3}));
   EXPECT_FALSE(one.next());

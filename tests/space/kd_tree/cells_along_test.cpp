@@ -80,11 +80,11 @@ std::vector<Sides> cells_of(const SplitTree<Figure>& tree) {
 /// By its definition: the parameters at which origin + t way is in a cell.
 template <std::size_t d>
 Stay stay_in(const Sides& cell, const std::array<Rational, d>& origin, const std::array<Rational, d>& way, bool is_ray,
-             KdCells cells) {
+             WalkedCells cells) {
   Stay stay;
   if (!is_ray) stay.to = Rational(1.0);
   for (const auto& [axis, plane, is_upper] : cell) {
-    const bool leaves_plane_out = cells == KdCells::half_open && !is_upper;
+    const bool leaves_plane_out = cells == WalkedCells::half_open && !is_upper;
     const Rational left = Rational(plane) - origin[axis];
     if (way[axis].sign() == Sign::zero) {
       const int side = -static_cast<int>(left.sign());  // of the origin from the plane
@@ -115,7 +115,7 @@ void expect_as_defined(const Tree& tree, const Path& path, Counts& counts) {
     for (std::size_t k = 0; k < d; ++k) origin[k] = Rational(a[k]), way[k] = Rational(b[k]) - Rational(a[k]);
   }
   const std::vector<Sides> all = cells_of(tree);
-  for (const KdCells cells : {KdCells::closed, KdCells::half_open}) {
+  for (const WalkedCells cells : {WalkedCells::closed, WalkedCells::half_open}) {
     const std::vector<std::uint32_t> found = cells_along(tree, path, cells);
     std::vector<bool> is_found(tree.leaves());
     std::optional<Stay> before;
@@ -124,8 +124,8 @@ void expect_as_defined(const Tree& tree, const Path& path, Counts& counts) {
       is_found[leaf] = true;
       const Stay stay = stay_in(all[leaf], origin, way, is_ray, cells);
       if (before) {
-        ASSERT_TRUE(before->from < stay.from ||
-                    (before->from == stay.from && (cells == KdCells::closed || before->from_open <= stay.from_open)))
+        ASSERT_TRUE(before->from < stay.from || (before->from == stay.from &&
+                                                 (cells == WalkedCells::closed || before->from_open <= stay.from_open)))
             << "leaf " << leaf << " is entered before the one ahead of it";
         counts.at_once += before->from == stay.from ? 1 : 0;
       }
@@ -134,7 +134,7 @@ void expect_as_defined(const Tree& tree, const Path& path, Counts& counts) {
     }
     for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
       ASSERT_EQ(is_found[leaf], stay_in(all[leaf], origin, way, is_ray, cells).is_some)
-          << "leaf " << leaf << (cells == KdCells::closed ? ", closed" : ", half open");
+          << "leaf " << leaf << (cells == WalkedCells::closed ? ", closed" : ", half open");
     }
     counts.cells += found.size();
   }
@@ -222,15 +222,15 @@ TEST(CellsAlongFigures, AreThoseOfTheDefinitionInOrder) {
 TEST(CellsAlongACorner, OneUlpDecides) {
   const KdTree2 tree = build_kd_tree(std::vector<Point2>{{-2, -1}, {-2, 0}, {0, -1}, {0, 0}}, {.most_in_leaf = 1});
   ASSERT_EQ(tree.planes, (std::vector<double>{0, 0, 0}));
-  const auto count = [&](const Segment2& s, KdCells cells) { return cells_along(tree, s, cells).size(); };
-  EXPECT_EQ(count({{-1, -1}, {1, 1}}, KdCells::closed), 4u);
-  EXPECT_EQ(count({{-1, -1}, {1, 1}}, KdCells::half_open), 2u);
-  EXPECT_EQ(count({{-1, -1}, {1, std::nextafter(1, 2)}}, KdCells::closed), 3u);
-  EXPECT_EQ(count({{-1, -1}, {1, std::nextafter(1, 0)}}, KdCells::half_open), 3u);
-  EXPECT_EQ(count({{-1, 1}, {1, -1}}, KdCells::half_open), 3u);
-  EXPECT_EQ(count({{-1, 0}, {1, 0}}, KdCells::closed), 4u);
-  EXPECT_EQ(count({{-1, 0}, {1, 0}}, KdCells::half_open), 2u);
-  EXPECT_EQ(count({{0, 0}, {0, 0}}, KdCells::half_open), 1u);
+  const auto count = [&](const Segment2& s, WalkedCells cells) { return cells_along(tree, s, cells).size(); };
+  EXPECT_EQ(count({{-1, -1}, {1, 1}}, WalkedCells::closed), 4u);
+  EXPECT_EQ(count({{-1, -1}, {1, 1}}, WalkedCells::half_open), 2u);
+  EXPECT_EQ(count({{-1, -1}, {1, std::nextafter(1, 2)}}, WalkedCells::closed), 3u);
+  EXPECT_EQ(count({{-1, -1}, {1, std::nextafter(1, 0)}}, WalkedCells::half_open), 3u);
+  EXPECT_EQ(count({{-1, 1}, {1, -1}}, WalkedCells::half_open), 3u);
+  EXPECT_EQ(count({{-1, 0}, {1, 0}}, WalkedCells::closed), 4u);
+  EXPECT_EQ(count({{-1, 0}, {1, 0}}, WalkedCells::half_open), 2u);
+  EXPECT_EQ(count({{0, 0}, {0, 0}}, WalkedCells::half_open), 1u);
 }
 
 TEST(CellsAlongARay, NamesWhatIsRefused) {

@@ -139,10 +139,7 @@ TEST(HybridIndexes, RefuseByName) {
     return text_of<NonFinite>([&] { (void)in_box(index, {{0, 0}, {1, nan}}); });
   };
   EXPECT_THAT(text_of<NonFinite>([&] { (void)nearest(grid, {0, nan}); }), HasSubstr("nearest: p.y is nan"));
-  EXPECT_THAT(text_of<InvalidShape>([&] {
-                (void)nearest(tree, {0, 0}, 2);
-              }),
-              HasSubstr("nearest: 2 of 1 figure are asked for"));
+  EXPECT_EQ(nearest(tree, {0, 0}, 2), nearest(tree, {0, 0}, 1));
   EXPECT_TRUE(nearest(tree, {0, 0}, 0).empty());
   EXPECT_THAT(asked(grid), HasSubstr("in_box: box.max.y is nan"));
   EXPECT_THAT(asked(tree), HasSubstr("in_box: box.max.y is nan"));

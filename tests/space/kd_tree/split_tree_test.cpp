@@ -147,7 +147,7 @@ void expect_first_hit(const SplitTree<Figure>& tree, const Way& way, Counts& cou
     }
     const auto found = first_hit(tree, way);
     ASSERT_EQ(found.has_value(), least.has_value());
-    ASSERT_EQ(hits(tree, way), found.has_value());
+    ASSERT_EQ(any_hit(tree, way), found.has_value());
     if (!found) return;
     ASSERT_EQ(found->index, which);
     ASSERT_EQ(found->hit, *first_hit(way, tree.figures[which]));
@@ -191,7 +191,7 @@ TYPED_TEST(SplitTreeTest, AnswersAsEachFigureDoes) {
       ASSERT_NO_FATAL_FAILURE(expect_first_hit(tree, Ray3{p, {component(0), component(1), component(2)}}, counts));
     }
     // The leaf of a place is on every way that begins there.
-    const auto on_the_way = cells_along(tree, typename SplitTree<TypeParam>::Segment{p, q}, KdCells::half_open);
+    const auto on_the_way = cells_along(tree, typename SplitTree<TypeParam>::Segment{p, q}, WalkedCells::half_open);
     ASSERT_EQ(on_the_way.front(), locate(tree, p));
     ASSERT_EQ(on_the_way.back(), locate(tree, q));
   }

@@ -1,5 +1,5 @@
 // Are the contacts of a mesh in motion from pose to pose those of the exactly posed places, and of every pair?
-#include "plumb/space/moving/posed_motion.hpp"
+#include "query/time_of_impact/posed_motion.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/thread_limit.hpp"
-#include "query/time_of_impact/posed_motion.hpp"
+#include "plumb/space/moving/motion_contacts.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
 
@@ -69,7 +69,7 @@ std::optional<MovingMesh> exactly_posed(const MovingMesh& mesh, const Pose& pose
   return build_moving_mesh(from->vertices, to->vertices, mesh.triangles);
 }
 
-void expect_contacts(const PosedMovingMesh& posed, double separation, const Contacts& expected,
+void expect_contacts(const MovingMeshView& posed, double separation, const Contacts& expected,
                      const std::string& about) {
   EXPECT_EQ(contacts_in_motion(posed, {.separation = separation, .execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
@@ -88,7 +88,7 @@ TEST(PosedMotion, HasTheContactsOfTheExactlyPosedMesh) {
     if (!there) return;
     const double separation = m.below(4) == 0 ? std::abs(m.number()) / 8 : 0;
     const Contacts expected = contacts_in_motion(*there, {.separation = separation});
-    const PosedMovingMesh posed{mesh, pose_0, pose_1};
+    const MovingMeshView posed{mesh, pose_0, pose_1};
     expect_contacts(posed, separation, expected, m.about());
     EXPECT_EQ(contacts_by_time(posed, {.separation = separation}), contacts_by_time(*there, {.separation = separation}))
         << m.about();

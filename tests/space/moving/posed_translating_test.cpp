@@ -1,7 +1,5 @@
 // Is the first contact of posed meshes that of all pairs of exactly posed triangles, and that of two triangles the one
 // that rationals have?
-#include "plumb/space/moving/posed_translating.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/gmp.hpp"
+#include "plumb/space/moving/translating_mesh.hpp"
 #include "query/time_of_impact/posed_contact.hpp"
 #include "query/time_of_impact/translating_oracle.hpp"
 #include "space/bvh/meshes.hpp"

@@ -54,8 +54,8 @@ Way<D> way_of(const typename CellKinds<D>::Ray& r) {
 }
 
 template <std::size_t D>
-std::optional<Interval> in_cell(const Way<D>& way, const typename CellKinds<D>::Box& cell, CellWalk walk) {
-  const bool half_open = walk == CellWalk::half_open;
+std::optional<Interval> in_cell(const Way<D>& way, const typename CellKinds<D>::Box& cell, WalkedCells walk) {
+  const bool half_open = walk == WalkedCells::half_open;
   Interval t{Rational(0), Rational(1), false, false, way.ends};
   const auto low = coordinates(cell.min), high = coordinates(cell.max);
   for (std::size_t k = 0; k < D; ++k) {
@@ -97,7 +97,7 @@ struct Seen {
 template <std::size_t D, class Line>
 void walk_is_that_of_rationals(const CellTree<D>& tree, const Line& line, const std::string& text, Seen& seen) {
   const Way<D> way = way_of<D>(line);
-  for (const CellWalk walk : {CellWalk::half_open, CellWalk::closed}) {
+  for (const WalkedCells walk : {WalkedCells::half_open, WalkedCells::closed}) {
     struct Met {
       std::uint32_t leaf;
       Interval at;
@@ -115,11 +115,12 @@ void walk_is_that_of_rationals(const CellTree<D>& tree, const Line& line, const 
       expected.push_back(m.leaf);
       seen.corners += m.at.has_end && m.at.from == m.at.to ? 1 : 0;
     }
-    EXPECT_EQ(cells_along(tree, line, walk), expected) << text << (walk == CellWalk::closed ? " closed" : " half open");
+    EXPECT_EQ(cells_along(tree, line, walk), expected)
+        << text << (walk == WalkedCells::closed ? " closed" : " half open");
     seen.leaves += expected.size();
     seen.missed += expected.empty() ? 1 : 0;
     ++seen.walks;
-    if (walk == CellWalk::closed) continue;
+    if (walk == WalkedCells::closed) continue;
     // Each place in one cell: one ends where the next begins.
     for (std::size_t i = 1; i < met.size(); ++i) {
       EXPECT_TRUE(met[i - 1].at.has_end && met[i - 1].at.to == met[i].at.from &&
@@ -209,29 +210,29 @@ TEST(CellWalk, TheDiagonalOfEightCells) {
   const Aabb3 middle = box_of(tree.cells, 8);
   const Point3 c = middle.min, a{c.x - 0.25, c.y - 0.25, c.z - 0.25}, b{c.x + 0.25, c.y + 0.25, c.z + 0.25};
   using Leaves = std::vector<std::uint32_t>;
-  EXPECT_EQ(cells_along(tree.cells, Segment3{a, b}, CellWalk::half_open), (Leaves{1, 8}));
-  EXPECT_EQ(cells_along(tree.cells, Segment3{b, a}, CellWalk::half_open), (Leaves{8, 1}));
-  EXPECT_EQ(cells_along(tree.cells, Segment3{a, b}, CellWalk::closed), (Leaves{1, 2, 3, 4, 5, 6, 7, 8}));
-  EXPECT_EQ(cells_along(tree.cells, Segment3{c, c}, CellWalk::half_open), (Leaves{8}));
-  EXPECT_EQ(cells_along(tree.cells, Segment3{c, c}, CellWalk::closed).size(), 8u);
+  EXPECT_EQ(cells_along(tree.cells, Segment3{a, b}, WalkedCells::half_open), (Leaves{1, 8}));
+  EXPECT_EQ(cells_along(tree.cells, Segment3{b, a}, WalkedCells::half_open), (Leaves{8, 1}));
+  EXPECT_EQ(cells_along(tree.cells, Segment3{a, b}, WalkedCells::closed), (Leaves{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(cells_along(tree.cells, Segment3{c, c}, WalkedCells::half_open), (Leaves{8}));
+  EXPECT_EQ(cells_along(tree.cells, Segment3{c, c}, WalkedCells::closed).size(), 8u);
   // An ulp beside it the cells between are met.
   const Point3 d{c.x + 0.25, c.y + 0.25, std::nextafter(c.z + 0.25, 2)};
-  EXPECT_EQ(cells_along(tree.cells, Segment3{a, d}, CellWalk::closed), (Leaves{1, 5, 6, 7, 8}));
-  EXPECT_EQ(cells_along(tree.cells, Segment3{a, d}, CellWalk::half_open), (Leaves{1, 5, 8}));
+  EXPECT_EQ(cells_along(tree.cells, Segment3{a, d}, WalkedCells::closed), (Leaves{1, 5, 6, 7, 8}));
+  EXPECT_EQ(cells_along(tree.cells, Segment3{a, d}, WalkedCells::half_open), (Leaves{1, 5, 8}));
 }
 
 TEST(CellWalk, RefusesWhatIsNoNumberAndWalksNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Octree none;
   EXPECT_THAT(text_of<NonFinite>([&] {
-                (void)cells_along(none, Segment3{{0, 0, 0}, {0, nan, 0}}, CellWalk::closed);
+                (void)cells_along(none, Segment3{{0, 0, 0}, {0, nan, 0}}, WalkedCells::closed);
               }),
               ::testing::HasSubstr("CellWalker: segment.b.y is nan"));
   EXPECT_THAT(text_of<NonFinite>([&] {
-                (void)cells_along(none, Ray3{{nan, 0, 0}, {0, 1, 0}}, CellWalk::closed);
+                (void)cells_along(none, Ray3{{nan, 0, 0}, {0, 1, 0}}, WalkedCells::closed);
               }),
               ::testing::HasSubstr("CellWalker: ray.origin.x is nan"));
-  EXPECT_TRUE(cells_along(none, Ray3{{0, 0, 0}, {0, 1, 0}}, CellWalk::closed).empty());
+  EXPECT_TRUE(cells_along(none, Ray3{{0, 0, 0}, {0, 1, 0}}, WalkedCells::closed).empty());
 }
 
 }  // namespace

@@ -26,65 +26,65 @@ TYPED_TEST(LooseTrees, AnswerAsBruteForceDoesAfterEveryFrame) {
   constexpr std::size_t D = TypeParam::value;
   using Box = typename CellKinds<D>::Box;
   std::size_t touching = 0, overlapping = 0, moved = 0, stayed = 0, removed = 0, at_border = 0;
-  scenes::on_scenes(761 + D, battery::sanitized ? 2 : 8,
-                    [&](scenes::Family family, Entropy& e, const std::string& text) {
-                      LooseCells<D> tree(scenes::box_of<D>(family, e));
-                      std::vector<std::optional<Box>> boxes;
-                      std::size_t held = 0;
-                      for (int frame = 0; frame < 12; ++frame) {
-                        for (int change = 0; change < 8; ++change) {
-                          const Box box = scenes::box_of<D>(family, e);
-                          const auto handle = static_cast<std::uint32_t>(boxes.empty() ? 0 : e.below(boxes.size()));
-                          const bool is_held = !boxes.empty() && boxes[handle].has_value();
-                          if (const std::uint64_t what = e.below(4); what < 2 || !is_held) {
-                            const std::uint32_t made = tree.insert(box);
-                            ASSERT_TRUE(made == boxes.size() || (made < boxes.size() && !boxes[made])) << text;
-                            if (made == boxes.size()) boxes.emplace_back();
-                            boxes[made] = box;
-                            ++held;
-                          } else if (what == 2) {
-                            tree.remove(handle);
-                            boxes[handle].reset();
-                            --held, ++removed;
-                          } else {
-                            const std::uint64_t before = tree.code(handle);
-                            tree.move(handle, box);
-                            boxes[handle] = box;
-                            ++(tree.code(handle) == before ? stayed : moved);
-                          }
-                        }
-                        ASSERT_EQ(tree.size(), held) << text;
-                        std::vector<BoxPair> all, beyond;
-                        for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-                          EXPECT_EQ(tree.contains(a), boxes[a].has_value()) << text;
-                          if (!boxes[a]) continue;
-                          EXPECT_EQ(tree.box(a), *boxes[a]) << text;
-                          for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
-                            const Relation r = boxes[b] ? relate(*boxes[a], *boxes[b]) : Relation::disjoint;
-                            if (r != Relation::disjoint) all.push_back({a, b});
-                            if (r == Relation::overlapping) beyond.push_back({a, b});
-                          }
-                        }
-                        EXPECT_EQ(tree.pairs(), all) << text;
-                        EXPECT_EQ(tree.pairs({.touching = false, .execution = Execution::serial}), beyond) << text;
-                        overlapping += beyond.size(), touching += all.size() - beyond.size();
-                        const Box region = scenes::box_of<D>(family, e);
-                        std::vector<std::uint32_t> expected, over;
-                        for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-                          const Relation r = boxes[a] ? relate(*boxes[a], region) : Relation::disjoint;
-                          if (r != Relation::disjoint) expected.push_back(a);
-                          if (r == Relation::overlapping) over.push_back(a);
-                        }
-                        EXPECT_EQ(tree.in_box(region), expected) << text;
-                        EXPECT_EQ(tree.in_box(region, {.touching = false}), over) << text;
-                        at_border += expected.size() - over.size();
-                      }
-                      for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-                        if (boxes[a]) tree.remove(a);
-                      }
-                      EXPECT_EQ(tree.cell_count(), 1u) << text;  // of the root alone
-                      EXPECT_TRUE(tree.pairs().empty()) << text;
-                    });
+  scenes::on_scenes(
+      761 + D, battery::sanitized ? 2 : 8, [&](scenes::Family family, Entropy& e, const std::string& text) {
+        LooseCells<D> tree(scenes::box_of<D>(family, e));
+        std::vector<std::optional<Box>> boxes;
+        std::size_t held = 0;
+        for (int frame = 0; frame < 12; ++frame) {
+          for (int change = 0; change < 8; ++change) {
+            const Box box = scenes::box_of<D>(family, e);
+            const auto handle = static_cast<std::uint32_t>(boxes.empty() ? 0 : e.below(boxes.size()));
+            const bool is_held = !boxes.empty() && boxes[handle].has_value();
+            if (const std::uint64_t what = e.below(4); what < 2 || !is_held) {
+              const std::uint32_t made = tree.insert(box);
+              ASSERT_TRUE(made == boxes.size() || (made < boxes.size() && !boxes[made])) << text;
+              if (made == boxes.size()) boxes.emplace_back();
+              boxes[made] = box;
+              ++held;
+            } else if (what == 2) {
+              tree.remove(handle);
+              boxes[handle].reset();
+              --held, ++removed;
+            } else {
+              const std::uint64_t before = tree.code(handle);
+              tree.move(handle, box);
+              boxes[handle] = box;
+              ++(tree.code(handle) == before ? stayed : moved);
+            }
+          }
+          ASSERT_EQ(tree.size(), held) << text;
+          std::vector<BoxPair> all, beyond;
+          for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+            EXPECT_EQ(tree.contains(a), boxes[a].has_value()) << text;
+            if (!boxes[a]) continue;
+            EXPECT_EQ(tree.box(a), *boxes[a]) << text;
+            for (std::uint32_t b = a + 1; b < boxes.size(); ++b) {
+              const Relation r = boxes[b] ? relate(*boxes[a], *boxes[b]) : Relation::disjoint;
+              if (r != Relation::disjoint) all.push_back({a, b});
+              if (r == Relation::overlapping) beyond.push_back({a, b});
+            }
+          }
+          EXPECT_EQ(tree.overlapping_pairs(), all) << text;
+          EXPECT_EQ(tree.overlapping_pairs({.touching = false, .execution = Execution::serial}), beyond) << text;
+          overlapping += beyond.size(), touching += all.size() - beyond.size();
+          const Box region = scenes::box_of<D>(family, e);
+          std::vector<std::uint32_t> expected, over;
+          for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+            const Relation r = boxes[a] ? relate(*boxes[a], region) : Relation::disjoint;
+            if (r != Relation::disjoint) expected.push_back(a);
+            if (r == Relation::overlapping) over.push_back(a);
+          }
+          EXPECT_EQ(tree.in_box(region), expected) << text;
+          EXPECT_EQ(tree.in_box(region, {.touching = false}), over) << text;
+          at_border += expected.size() - over.size();
+        }
+        for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+          if (boxes[a]) tree.remove(a);
+        }
+        EXPECT_EQ(tree.cell_count(), 1u) << text;  // of the root alone
+        EXPECT_TRUE(tree.overlapping_pairs().empty()) << text;
+      });
   EXPECT_GT(touching, 200u);
   EXPECT_GT(overlapping, 200u);
   EXPECT_GT(moved, 50u);
@@ -117,11 +117,11 @@ TYPED_TEST(LooseTrees, ManyBoxesAreAnsweredAlikeByThreads) {
   world.min.x = world.min.y = -1, world.max.x = world.max.y = 2;
   LooseCells<D> tree(world);
   for (const auto& box : boxes) tree.insert(box);
-  const auto serial = tree.pairs({.execution = Execution::serial});
+  const auto serial = tree.overlapping_pairs({.execution = Execution::serial});
   EXPECT_FALSE(serial.empty());
   for (const std::size_t threads : {1u, 2u}) {
     const ThreadLimit control(threads);
-    EXPECT_EQ(tree.pairs(), serial);
+    EXPECT_EQ(tree.overlapping_pairs(), serial);
   }
 }
 

@@ -69,14 +69,12 @@ PairCount counted(const Pairs& pairs) {
 /// All answers about two meshes, or about one where there is no second, moved or not.
 template <class Mesh>
 void expect_pairs(const Mesh& a, const Mesh* b, const Pairs& expected, const std::string& about) {
-  const auto all = [&](const PairOptions& o) {
-    return b ? intersecting_pairs(a, *b, o) : self_intersecting_pairs(a, o);
-  };
+  const auto all = [&](const PairOptions& o) { return b ? intersecting_pairs(a, *b, o) : intersecting_pairs(a, o); };
   const auto count = [&](const PairOptions& o) {
-    return b ? count_intersecting_pairs(a, *b, o) : count_self_intersecting_pairs(a, o);
+    return b ? count_intersecting_pairs(a, *b, o) : count_intersecting_pairs(a, o);
   };
   const auto any = [&](const PairOptions& o) {
-    return b ? any_intersecting_pair(a, *b, o) : any_self_intersecting_pair(a, o);
+    return b ? any_intersecting_pair(a, *b, o) : any_intersecting_pair(a, o);
   };
   ASSERT_EQ(all({.execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
@@ -130,7 +128,7 @@ TEST(CompactPairs, AreThoseOfMovedTriangles) {
     const PosedCompactMesh a{small_a, pose_a}, b{small_b, pose_b};
     const Pairs expected = by_brute_force(mesh_a, pose_a, mesh_b, pose_b);
     expect_pairs(a, &b, expected, m.about());
-    expect_pairs<PosedCompactMesh>(a, nullptr, self_intersecting_pairs(PosedMesh{whole_a, pose_a}), m.about());
+    expect_pairs<PosedCompactMesh>(a, nullptr, intersecting_pairs(PosedMesh{whole_a, pose_a}), m.about());
     EXPECT_EQ(intersections(a, b, expected), intersections({whole_a, pose_a}, {whole_b, pose_b}, expected));
     found += expected.size();
   });
@@ -149,7 +147,7 @@ TEST(CompactPairs, OfDegenerateMeshesAreThoseOfTheTree) {
   }
   std::size_t found = 0;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    expect_pairs<CompactBvh>(small[i], nullptr, self_intersecting_pairs(whole[i]), std::to_string(i));
+    expect_pairs<CompactBvh>(small[i], nullptr, intersecting_pairs(whole[i]), std::to_string(i));
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       const Pairs expected = intersecting_pairs(whole[i], whole[k]);
       found += expected.size();
@@ -251,7 +249,7 @@ TEST(CompactPairs, OfTheModelsAreThoseOfTheTree) {
     const CompactBvh small = compact(whole);
     const Aabb3 box = fit_aabb(mesh.vertices);
     const Pose turn{{{{0.96, 0.28, 0}, {-0.28, 0.96, 0}, {0, 0, 1}}}, {(box.max.x - box.min.x) / 8, 0, 0}};
-    EXPECT_EQ(count_self_intersecting_pairs(small), count_self_intersecting_pairs(whole));
+    EXPECT_EQ(count_intersecting_pairs(small), count_intersecting_pairs(whole));
     const Pairs pairs = intersecting_pairs(PosedMesh{whole, turn}, whole);
     EXPECT_GT(pairs.size(), 100u);
     EXPECT_EQ(intersecting_pairs(PosedCompactMesh{small, turn}, small), pairs);

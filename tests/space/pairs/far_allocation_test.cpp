@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "counted_allocations.hpp"
-#include "plumb/space/pairs/posed_pairs.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
 #include "space/bvh/meshes.hpp"
 
 namespace plumb {

@@ -60,14 +60,12 @@ PairCount counted(const Pairs& pairs) {
 
 /// All answers about two meshes, or one, against these pairs; on one thread, on two and on however many.
 void expect_pairs(const Bvh& a, const Bvh* b, const Pairs& expected, const std::string& about) {
-  const auto all = [&](const PairOptions& o) {
-    return b ? intersecting_pairs(a, *b, o) : self_intersecting_pairs(a, o);
-  };
+  const auto all = [&](const PairOptions& o) { return b ? intersecting_pairs(a, *b, o) : intersecting_pairs(a, o); };
   const auto count = [&](const PairOptions& o) {
-    return b ? count_intersecting_pairs(a, *b, o) : count_self_intersecting_pairs(a, o);
+    return b ? count_intersecting_pairs(a, *b, o) : count_intersecting_pairs(a, o);
   };
   const auto any = [&](const PairOptions& o) {
-    return b ? any_intersecting_pair(a, *b, o) : any_self_intersecting_pair(a, o);
+    return b ? any_intersecting_pair(a, *b, o) : any_intersecting_pair(a, o);
   };
   ASSERT_EQ(all({.execution = Execution::serial}), expected) << about;
   for (const std::size_t threads : {1u, 2u}) {
@@ -173,8 +171,8 @@ TEST(IntersectingPairs, AgreeWithCgal) {
 // A closed surface without self-intersections has none, whatever its angles; a wavy ring of many triangles.
 TEST(SelfIntersectingPairs, OfACleanSurfaceAreNone) {
   const Bvh bvh = build_bvh(meshes::ring(60));
-  EXPECT_EQ(self_intersecting_pairs(bvh), Pairs{});
-  EXPECT_EQ(any_self_intersecting_pair(bvh), std::nullopt);
+  EXPECT_EQ(intersecting_pairs(bvh), Pairs{});
+  EXPECT_EQ(any_intersecting_pair(bvh), std::nullopt);
 }
 
 TEST(IntersectingPairs, OfTreesInOtherFrames) {
@@ -233,9 +231,9 @@ TEST(IntersectingPairs, SayHowFarTheyAreAndStop) {
     EXPECT_GT(calls, 100u);
     calls = 0;
     const auto stopped = [&] {
-      (void)self_intersecting_pairs(bvh, {.execution = execution, .progress = [&](double) { return ++calls < 3; }});
+      (void)intersecting_pairs(bvh, {.execution = execution, .progress = [&](double) { return ++calls < 3; }});
     };
-    EXPECT_THAT(text_of<Cancelled>(stopped), ::testing::HasSubstr("self_intersecting_pairs: cancelled"));
+    EXPECT_THAT(text_of<Cancelled>(stopped), ::testing::HasSubstr("intersecting_pairs: cancelled"));
     EXPECT_EQ(calls, 3u);
   }
 }

@@ -105,7 +105,7 @@ TEST(IntersectingPairsOfModels, AreThoseOfASweep) {
     const TriangleMesh mesh = read_mesh((folder / name).string());
     if (battery::sanitized && mesh.triangles.size() > 3000) continue;
     const Bvh bvh = build_bvh(mesh);
-    const Pairs own = self_intersecting_pairs(bvh);
+    const Pairs own = intersecting_pairs(bvh);
     EXPECT_EQ(own, by_sweep(mesh)) << name;
     std::cout << name << ": " << mesh.triangles.size() << " triangles, " << own.size() << " pairs of its own\n";
     const auto check = [&](const TriangleMesh& a, const TriangleMesh& b, const char* about) {
@@ -117,7 +117,7 @@ TEST(IntersectingPairsOfModels, AreThoseOfASweep) {
     check(mesh, moved(mesh, [](const Point3& p) { return Point3{-p.x, p.y, p.z}; }), "mirrored");
     double step = 0;
     const TriangleMesh lattice = on_lattice(mesh, step);
-    EXPECT_EQ(self_intersecting_pairs(build_bvh(lattice)), by_sweep(lattice)) << name;
+    EXPECT_EQ(intersecting_pairs(build_bvh(lattice)), by_sweep(lattice)) << name;
     check(lattice, moved(lattice, [&](const Point3& p) { return Point3{p.x, p.y + step, p.z}; }), "by a step");
   }
   EXPECT_GT(found, battery::sanitized ? 20'000u : 200'000u);

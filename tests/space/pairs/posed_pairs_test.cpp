@@ -1,6 +1,4 @@
 // Are the pairs of moved meshes those of the exactly moved triangles?
-#include "plumb/space/pairs/posed_pairs.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/thread_limit.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/meshes.hpp"
@@ -144,12 +143,12 @@ TEST(PosedPairs, OfOneMeshAreThoseOfTheExactlyPosedOne) {
     }
     const Bvh bvh = build_bvh(mesh, {.most_in_leaf = 1 + static_cast<std::uint32_t>(m.below(3))});
     const PosedMesh asked{bvh, pose};
-    ASSERT_EQ(self_intersecting_pairs(asked), expected) << m.about();
-    ASSERT_EQ(self_intersecting_pairs(asked, {.execution = Execution::serial}), expected) << m.about();
-    ASSERT_EQ(count_self_intersecting_pairs(asked), counted(expected)) << m.about();
-    ASSERT_EQ(any_self_intersecting_pair(asked).has_value(), !expected.empty()) << m.about();
+    ASSERT_EQ(intersecting_pairs(asked), expected) << m.about();
+    ASSERT_EQ(intersecting_pairs(asked, {.execution = Execution::serial}), expected) << m.about();
+    ASSERT_EQ(count_intersecting_pairs(asked), counted(expected)) << m.about();
+    ASSERT_EQ(any_intersecting_pair(asked).has_value(), !expected.empty()) << m.about();
     pairs += expected.size();
-    singular += expected.size() != self_intersecting_pairs(bvh).size();
+    singular += expected.size() != intersecting_pairs(bvh).size();
   });
   if (battery::reaches_rare) {
     EXPECT_GT(pairs, 300u);
@@ -199,7 +198,7 @@ TEST(PosedPairs, UnderOnePoseAreThoseWithoutIt) {
   shape_cases::on_shapes(1704, battery::fitting(10), [&](Material& m) {
     const Pose pose = turn(m);
     EXPECT_EQ(intersecting_pairs({a, pose}, {b, pose}), expected) << m.about();
-    EXPECT_EQ(self_intersecting_pairs({a, pose}), self_intersecting_pairs(a)) << m.about();
+    EXPECT_EQ(intersecting_pairs({a, pose}), intersecting_pairs(a)) << m.about();
   });
   // The same pairs by posed triangles alone: the second pose is another, though it moves all points alike.
   shape_cases::on_shapes(1705, battery::fitting(2), [&](Material& m) {
@@ -224,9 +223,9 @@ TEST(PosedPairs, RefusePosesThatAreNone) {
   pose = identity_pose;
   pose.translation.y = -INFINITY;
   EXPECT_EQ(text_of<NonFinite>([&] {
-              (void)any_self_intersecting_pair({bvh, pose});
+              (void)any_intersecting_pair({bvh, pose});
             }),
-            "any_self_intersecting_pair: mesh.pose.translation.y is -inf, not a real number; give a finite double");
+            "any_intersecting_pair: mesh.pose.translation.y is -inf, not a real number; give a finite double");
 }
 
 }  // namespace

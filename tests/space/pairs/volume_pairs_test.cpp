@@ -10,7 +10,7 @@
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
-#include "plumb/space/pairs/posed_pairs.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
 

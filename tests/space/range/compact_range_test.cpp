@@ -28,7 +28,7 @@ TYPED_TEST(CompactRange, FindsTheTrianglesThatIntersectsNames) {
       const auto& [a, b, c] = mesh.triangles[i];
       if (intersects(Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, shape)) expected.push_back(i);
     }
-    EXPECT_EQ(triangles_meeting(small, shape), expected) << m.about(shape);
+    EXPECT_EQ(meeting(small, shape), expected) << m.about(shape);
     met += expected.size(), apart += mesh.triangles.size() - expected.size();
   });
   EXPECT_GT(met, battery::fitting(50u));
@@ -41,17 +41,17 @@ TYPED_TEST(CompactRange, OfManyIsThatOfTheTreeItIsMadeOf) {
   std::vector<TypeParam> shapes;
   shape_cases::on_shapes(990, 30, [&](shape_cases::Material& m) { shapes.push_back(m.template shape<TypeParam>()); });
   const std::span<const TypeParam> all(shapes);
-  const std::vector<Numbers> expected = triangles_meeting(bvh, all);
+  const std::vector<Numbers> expected = meeting(bvh, all);
   for (const std::size_t threads : {1u, 2u}) {
     const ThreadLimit control(threads);
-    EXPECT_EQ(triangles_meeting(small, all), expected);
+    EXPECT_EQ(meeting(small, all), expected);
   }
-  EXPECT_THROW((void)triangles_meeting(small, all, {.progress = [](double) { return false; }}), Cancelled);
+  EXPECT_THROW((void)meeting(small, all, {.progress = [](double) { return false; }}), Cancelled);
 }
 
 TYPED_TEST(CompactRange, OfNothingIsNothing) {
   shape_cases::on_shapes(991, 10, [&](shape_cases::Material& m) {
-    EXPECT_EQ(triangles_meeting(build_compact_bvh(TriangleMesh{}), m.template shape<TypeParam>()), Numbers{});
+    EXPECT_EQ(meeting(build_compact_bvh(TriangleMesh{}), m.template shape<TypeParam>()), Numbers{});
   });
 }
 
@@ -65,9 +65,9 @@ TEST(CompactRangeOfABox, MeetsWhatTouchesIt) {
       const auto& c = mesh.triangles[t];
       if (c[0] == i || c[1] == i || c[2] == i) about.push_back(t);
     }
-    EXPECT_EQ(triangles_meeting(small, Aabb3{p, p}), about) << i;
+    EXPECT_EQ(meeting(small, Aabb3{p, p}), about) << i;
   }
-  EXPECT_THROW((void)triangles_meeting(small, Sphere3{{0, 0, 0}, -1}), InvalidShape);
+  EXPECT_THROW((void)meeting(small, Sphere3{{0, 0, 0}, -1}), InvalidShape);
 }
 
 }  // namespace

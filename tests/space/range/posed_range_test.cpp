@@ -1,6 +1,4 @@
 // Are the triangles of moved meshes that meet a shape those of the exactly moved triangles?
-#include "plumb/space/range/posed_range.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/query/overlap/overlap.hpp"
+#include "plumb/space/range/range_search.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
@@ -29,12 +28,12 @@ void expect_those_of_the_posed_mesh(std::uint64_t start) {
     const std::array shapes{m.shape<Shape>(), m.shape<Shape>()};
     std::vector<std::vector<std::uint32_t>> each;
     for (const Shape& shape : shapes) {
-      const auto found = triangles_meeting({bvh, pose}, shape);
-      ASSERT_EQ(found, triangles_meeting(there, shape)) << m.about();
+      const auto found = meeting({bvh, pose}, shape);
+      ASSERT_EQ(found, meeting(there, shape)) << m.about();
       each.push_back(found);
       met += static_cast<long>(found.size()), all += static_cast<long>(mesh.triangles.size());
     }
-    EXPECT_EQ(triangles_meeting({bvh, pose}, std::span<const Shape>(shapes)), each) << m.about();
+    EXPECT_EQ(meeting({bvh, pose}, std::span<const Shape>(shapes)), each) << m.about();
     ++compared;
   });
   EXPECT_GT(compared, battery::fitting(30));
@@ -59,7 +58,7 @@ void expect_those_of_each_triangle(Material& m, const TriangleMesh& mesh, const 
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     if (query::intersects(posed_triangle(mesh, i, pose), shape)) expected.push_back(i);
   }
-  EXPECT_EQ(triangles_meeting({bvh, pose}, shape), expected) << m.about();
+  EXPECT_EQ(meeting({bvh, pose}, shape), expected) << m.about();
 }
 
 TEST(PosedRange, UnderAnyPoseIsThatOfEachTriangle) {
@@ -82,10 +81,10 @@ TEST(PosedRange, RefusesWhatIsNone) {
   Pose pose = identity_pose;
   pose.columns[2].y = NAN;
   EXPECT_EQ(text_of<NonFinite>([&] {
-              (void)triangles_meeting({bvh, pose}, Sphere3{{0, 0, 0}, 1});
+              (void)meeting({bvh, pose}, Sphere3{{0, 0, 0}, 1});
             }),
-            "triangles_meeting: mesh.pose.columns[2].y is nan, not a real number; give a finite double");
-  EXPECT_THROW((void)triangles_meeting(PosedMesh(bvh), Sphere3{{0, 0, 0}, -1}), InvalidShape);
+            "meeting: mesh.pose.columns[2].y is nan, not a real number; give a finite double");
+  EXPECT_THROW((void)meeting(PosedMesh(bvh), Sphere3{{0, 0, 0}, -1}), InvalidShape);
 }
 
 }  // namespace

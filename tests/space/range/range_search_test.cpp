@@ -39,7 +39,7 @@ TYPED_TEST(RangeSearch, FindsTheTrianglesThatIntersectsNames) {
     const Bvh bvh = build_bvh(mesh, {.most_in_leaf = static_cast<std::uint32_t>(1 + m.below(4))});
     const auto shape = m.template shape<TypeParam>();
     const Numbers expected = by_brute_force(mesh, shape);
-    EXPECT_EQ(triangles_meeting(bvh, shape), expected) << m.about(shape);
+    EXPECT_EQ(meeting(bvh, shape), expected) << m.about(shape);
     met += expected.size(), apart += mesh.triangles.size() - expected.size();
   });
   EXPECT_GT(met, battery::fitting(50u));
@@ -56,18 +56,18 @@ TYPED_TEST(RangeSearch, OfManyIsThatOfEach) {
     expected.push_back(by_brute_force(mesh, shapes.back()));
   });
   const std::span<const TypeParam> all(shapes);
-  EXPECT_EQ(triangles_meeting(bvh, all, {.execution = Execution::serial}), expected);
+  EXPECT_EQ(meeting(bvh, all, {.execution = Execution::serial}), expected);
   for (const std::size_t threads : {1u, 2u}) {
     const ThreadLimit control(threads);
-    EXPECT_EQ(triangles_meeting(bvh, all), expected);
+    EXPECT_EQ(meeting(bvh, all), expected);
   }
-  const auto stopped = [&] { (void)triangles_meeting(bvh, all, {.progress = [](double) { return false; }}); };
-  EXPECT_THAT(text_of<Cancelled>(stopped), ::testing::HasSubstr("triangles_meeting: cancelled"));
+  const auto stopped = [&] { (void)meeting(bvh, all, {.progress = [](double) { return false; }}); };
+  EXPECT_THAT(text_of<Cancelled>(stopped), ::testing::HasSubstr("meeting: cancelled"));
 }
 
 TYPED_TEST(RangeSearch, OfNothingIsNothing) {
   shape_cases::on_shapes(973, 10, [&](shape_cases::Material& m) {
-    EXPECT_EQ(triangles_meeting(build_bvh(TriangleMesh{}), m.template shape<TypeParam>()), Numbers{});
+    EXPECT_EQ(meeting(build_bvh(TriangleMesh{}), m.template shape<TypeParam>()), Numbers{});
   });
 }
 
@@ -85,7 +85,7 @@ TEST(RangeSearchOfAFrustum, CullsWhatIsOutside) {
                                           {{0, 0, -1}, 0.125},
                                           {{0, 0, 1}, 3}}};
     const Numbers expected = by_brute_force(mesh, frustum);
-    EXPECT_EQ(triangles_meeting(bvh, frustum), expected) << i;
+    EXPECT_EQ(meeting(bvh, frustum), expected) << i;
     met += expected.size();
   }
   EXPECT_GT(met, 50u);
@@ -95,14 +95,14 @@ TEST(RangeSearchOfAFrustum, NamesWhatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Bvh none = build_bvh(TriangleMesh{});
   EXPECT_THAT(text_of<NonFinite>([&] {
-                (void)triangles_meeting(none, Sphere3{{0, nan, 0}, 1});
+                (void)meeting(none, Sphere3{{0, nan, 0}, 1});
               }),
               ::testing::HasSubstr("sphere.center.y is nan"));
   EXPECT_THAT(text_of<InvalidShape>([&] {
-                (void)triangles_meeting(none, Sphere3{{0, 0, 0}, -1});
+                (void)meeting(none, Sphere3{{0, 0, 0}, -1});
               }),
               ::testing::HasSubstr("intersects: "));
-  EXPECT_EQ(triangles_meeting(build_bvh(meshes::ring(3)), Aabb3{{1, 1, 1}, {-1, -1, -1}}), Numbers{});
+  EXPECT_EQ(meeting(build_bvh(meshes::ring(3)), Aabb3{{1, 1, 1}, {-1, -1, -1}}), Numbers{});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void expect_met(const TriangleMesh& mesh, const Bvh& bvh, const VolumeTree<Volum
     const auto& [a, b, c] = mesh.triangles[i];
     if (intersects(Triangle3{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, figure)) expected.push_back(i);
   }
-  EXPECT_EQ(triangles_meeting(bvh, tree, figure), expected) << m.about(figure);
+  EXPECT_EQ(meeting(bvh, tree, figure), expected) << m.about(figure);
   met += expected.size(), apart += mesh.triangles.size() - expected.size();
 }
 
@@ -63,9 +63,9 @@ TYPED_TEST(VolumeRange, OfNothingIsNothing) {
   const Bvh none = build_bvh(TriangleMesh{}), some = build_bvh(meshes::ring(3));
   const auto empty = build_volume_tree<TypeParam>(none);
   const Ray3 ray{{0, 0, 9}, {0, 0, -1}};
-  EXPECT_TRUE(triangles_meeting(none, empty, ray).empty());
-  EXPECT_THAT(text_of<InvalidShape>([&] { (void)triangles_meeting(some, empty, ray); }),
-              ::testing::HasSubstr("triangles_meeting: volumes has 0 nodes"));
+  EXPECT_TRUE(meeting(none, empty, ray).empty());
+  EXPECT_THAT(text_of<InvalidShape>([&] { (void)meeting(some, empty, ray); }),
+              ::testing::HasSubstr("meeting: volumes has 0 nodes"));
 }
 
 }  // namespace

@@ -28,14 +28,14 @@ void expect_hits(const AnyRay& ray, const TriangleMesh& mesh, const PosedCompact
     if (t) expected.push_back({i, std::move(*t)});
   }
   std::stable_sort(expected.begin(), expected.end(), [](const TrueHit& a, const TrueHit& b) { return a.t < b.t; });
-  ASSERT_EQ(hits(ray, small, rule), !expected.empty()) << about;
-  ASSERT_EQ(count_hits(ray, small, rule), expected.size()) << about;
-  const std::vector<NumberedHit> all = ordered_hits(ray, small, rule);
+  ASSERT_EQ(any_hit(small, ray, rule), !expected.empty()) << about;
+  ASSERT_EQ(count_hits(small, ray, rule), expected.size()) << about;
+  const std::vector<NumberedHit> all = hits(small, ray, rule);
   ASSERT_EQ(all.size(), expected.size()) << about;
   for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i].index, expected[i].index) << about << " hit " << i;
-  const auto first = first_hit(ray, small, rule);
+  const auto first = first_hit(small, ray, rule);
   ASSERT_EQ(first, all.empty() ? std::nullopt : std::optional(all[0])) << about;
-  const auto number = first_triangle(ray, small, rule);
+  const auto number = first_triangle(small, ray, rule);
   ASSERT_EQ(number, all.empty() ? std::nullopt : std::optional(all[0].index)) << about;
 }
 
@@ -50,7 +50,7 @@ TEST(PosedCompactRay, FindsWhatEveryPosedTriangleSays) {
       for (const HitRule rule : {HitRule::closed, HitRule::half_open}) {
         expect_hits(ray, mesh, posed, rule, m.about() + " " + text_of(ray));
       }
-      ++(hits(ray, posed) ? hit : missed);
+      ++(any_hit(posed, ray) ? hit : missed);
     }
   });
   EXPECT_GT(hit, battery::fitting(80));
@@ -73,24 +73,24 @@ TEST(PosedCompactRay, OfManyIsThatOfTheTree) {
     const PosedMesh whole{bvh, pose};
     const PosedCompactMesh posed{small, pose};
     std::vector<std::optional<NumberedHit>> first(rays.size()), expected(rays.size());
-    first_hits(rays, whole, expected);
+    first_hit(whole, rays, expected);
     EXPECT_GT(std::ranges::count_if(expected, [](const auto& h) { return h.has_value(); }), 20);
     for (const std::size_t threads : {1u, 2u}) {
       const ThreadLimit control(threads);
-      first_hits(rays, posed, first);
+      first_hit(posed, rays, first);
       EXPECT_EQ(first, expected);
     }
     std::vector<std::uint32_t> number(rays.size()), as_number(rays.size());
-    first_triangles(rays, posed, number), first_triangles(rays, whole, as_number);
+    first_triangle(posed, rays, number), first_triangle(whole, rays, as_number);
     EXPECT_EQ(number, as_number);
     std::vector<std::uint8_t> any(rays.size()), as_any(rays.size());
-    hits(rays, posed, any), hits(rays, whole, as_any);
+    any_hit(posed, rays, any), any_hit(whole, rays, as_any);
     EXPECT_EQ(any, as_any);
     std::vector<std::size_t> count(rays.size()), as_count(rays.size());
-    count_hits(rays, posed, count), count_hits(rays, whole, as_count);
+    count_hits(posed, rays, count), count_hits(whole, rays, as_count);
     EXPECT_EQ(count, as_count);
     std::vector<std::vector<NumberedHit>> all(rays.size()), as_all(rays.size());
-    ordered_hits(rays, posed, all), ordered_hits(rays, whole, as_all);
+    hits(posed, rays, all), hits(whole, rays, as_all);
     EXPECT_EQ(all, as_all);
   }
 }
@@ -158,8 +158,8 @@ void expect_range(Material& m, const TriangleMesh& mesh, const PosedCompactMesh&
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     if (query::intersects(posed_triangle(mesh, i, *small.pose.matrix()), shape)) expected.push_back(i);
   }
-  EXPECT_EQ(triangles_meeting(small, shape), expected) << m.about();
-  EXPECT_EQ(triangles_meeting(small, std::span<const Shape>(&shape, 1)).at(0), expected) << m.about();
+  EXPECT_EQ(meeting(small, shape), expected) << m.about();
+  EXPECT_EQ(meeting(small, std::span<const Shape>(&shape, 1)).at(0), expected) << m.about();
 }
 
 TEST(PosedCompactRange, IsThatOfEachTriangle) {
@@ -205,11 +205,11 @@ TEST(PosedCompactClosest, IsThatOfTheTree) {
 TEST(PosedCompact, OfNothingIsNothingAndBadPosesAreNamed) {
   const CompactBvh none = build_compact_bvh(TriangleMesh{});
   const PosedCompactMesh posed{none};
-  EXPECT_FALSE(first_hit(Ray3{{0, 0, 0}, {1, 0, 0}}, posed).has_value());
+  EXPECT_FALSE(first_hit(posed, Ray3{{0, 0, 0}, {1, 0, 0}}).has_value());
   EXPECT_EQ(locate(posed, {0, 0, 0}), Location::outside);
   EXPECT_EQ(winding_number(none, {0, 0, 0}), 0);
   EXPECT_FALSE(closest_on_mesh(posed, {0, 0, 0}).has_value());
-  EXPECT_TRUE(triangles_meeting(posed, Sphere3{{0, 0, 0}, 1}).empty());
+  EXPECT_TRUE(meeting(posed, Sphere3{{0, 0, 0}, 1}).empty());
   EXPECT_TRUE(intersecting_pairs(posed, posed).empty());
   const CompactBvh small = build_compact_bvh(meshes::repeated(2));
   Pose bad = identity_pose;
@@ -219,10 +219,10 @@ TEST(PosedCompact, OfNothingIsNothingAndBadPosesAreNamed) {
     EXPECT_EQ(text_of<NonFinite>(ask),
               function + ": mesh.pose.columns[2].y is nan, not a real number; give a finite double");
   };
-  says([&] { (void)first_hit(Ray3{{0, 0, 0}, {1, 0, 0}}, wrong); }, "first_hit");
+  says([&] { (void)first_hit(wrong, Ray3{{0, 0, 0}, {1, 0, 0}}); }, "first_hit");
   says([&] { (void)locate(wrong, {0, 0, 0}); }, "locate");
   says([&] { (void)closest_on_mesh(wrong, {0, 0, 0}); }, "closest_on_mesh");
-  says([&] { (void)triangles_meeting(wrong, Sphere3{{0, 0, 0}, 1}); }, "triangles_meeting");
+  says([&] { (void)meeting(wrong, Sphere3{{0, 0, 0}, 1}); }, "meeting");
 }
 
 }  // namespace

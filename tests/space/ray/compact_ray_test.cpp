@@ -19,16 +19,16 @@ using namespace mesh_rays;
 
 void check(const AnyRay& ray, const TriangleMesh& mesh, const CompactBvh& bvh, HitRule rule, const std::string& about) {
   const std::vector<TrueHit> expected = true_hits(ray, mesh, rule);
-  ASSERT_EQ(hits(ray, bvh, rule), !expected.empty()) << about;
-  ASSERT_EQ(count_hits(ray, bvh, rule), expected.size()) << about;
-  const std::vector<NumberedHit> all = ordered_hits(ray, bvh, rule);
+  ASSERT_EQ(any_hit(bvh, ray, rule), !expected.empty()) << about;
+  ASSERT_EQ(count_hits(bvh, ray, rule), expected.size()) << about;
+  const std::vector<NumberedHit> all = hits(bvh, ray, rule);
   ASSERT_EQ(all.size(), expected.size()) << about;
   for (std::size_t i = 0; i < all.size(); ++i) {
     ASSERT_EQ(all[i].index, expected[i].index) << about << " hit " << i;
     ASSERT_EQ(all[i].hit, *first_hit(ray, triangle_of(mesh, all[i].index), rule)) << about << " hit " << i;
   }
-  const auto first = first_hit(ray, bvh, rule);
-  const auto triangle = first_triangle(ray, bvh, rule);
+  const auto first = first_hit(bvh, ray, rule);
+  const auto triangle = first_triangle(bvh, ray, rule);
   ASSERT_EQ(first.has_value(), !expected.empty()) << about;
   ASSERT_EQ(triangle.has_value(), !expected.empty()) << about;
   if (expected.empty()) return;
@@ -49,7 +49,7 @@ TEST(CompactRay, FindsWhatEveryTriangleSays) {
       for (const HitRule rule : {HitRule::closed, HitRule::half_open}) {
         check(ray, mesh, bvh, rule, m.about() + " " + text_of(ray));
       }
-      const std::size_t found = count_hits(ray, bvh);
+      const std::size_t found = count_hits(bvh, ray);
       missed += found == 0;
       hit += found > 0;
       several += found > 1;
@@ -69,13 +69,13 @@ TEST(CompactRay, FindsThemAtExtremeExponents) {
     const CompactBvh bvh = build_compact_bvh(mesh);
     const Point3 &a = mesh.vertices[m.below(mesh.vertices.size())], &b = mesh.vertices[m.below(mesh.vertices.size())];
     check(Segment3{a, b}, mesh, bvh, HitRule::closed, m.about(a, b));
-    several += count_hits(Segment3{a, b}, bvh) > 1;
+    several += count_hits(bvh, Segment3{a, b}) > 1;
   });
   EXPECT_GT(several, battery::fitting(70));
   for (const int first : {-1074, -500, 0, 400}) {
     const TriangleMesh mesh = meshes::doubling(36, first, 17);
     const CompactBvh bvh = build_compact_bvh(mesh, {.most_in_leaf = 1});
-    EXPECT_EQ(count_hits(Line3{{0, 0, 0}, {1, -1, 1}}, bvh), 36u) << first;
+    EXPECT_EQ(count_hits(bvh, Line3{{0, 0, 0}, {1, -1, 1}}), 36u) << first;
     check(Ray3{mesh.vertices[20], {1, -1, 1}}, mesh, bvh, HitRule::closed, "doubling " + std::to_string(first));
     check(Segment3{mesh.vertices[30], mesh.vertices[3]}, mesh, bvh, HitRule::closed, "doubling, back");
   }
@@ -85,19 +85,19 @@ TEST(CompactRay, OfNothingIsNothing) {
   const CompactBvh nothing = build_compact_bvh(TriangleMesh{});
   for (const AnyRay& ray : {AnyRay(Ray3{{0, 0, 0}, {1, 0, 0}}), AnyRay(Line3{{0, 0, 0}, {1, 0, 0}}),
                             AnyRay(Segment3{{0, 0, 0}, {1, 0, 0}}), AnyRay(Ray3{{0, 0, 0}, {0, 0, 0}})}) {
-    EXPECT_FALSE(first_hit(ray, nothing) || first_triangle(ray, nothing) || hits(ray, nothing));
-    EXPECT_TRUE(ordered_hits(ray, nothing).empty());
-    EXPECT_EQ(count_hits(ray, nothing), 0u);
+    EXPECT_FALSE(first_hit(nothing, ray) || first_triangle(nothing, ray) || any_hit(nothing, ray));
+    EXPECT_TRUE(hits(nothing, ray).empty());
+    EXPECT_EQ(count_hits(nothing, ray), 0u);
   }
-  EXPECT_THROW((void)first_hit(Ray3{{0, 0, 0}, {0, 0, std::nan("")}}, nothing), NonFinite);
+  EXPECT_THROW((void)first_hit(nothing, Ray3{{0, 0, 0}, {0, 0, std::nan("")}}), NonFinite);
 }
 
 TEST(CompactRay, SameTriangleThousandsOfTimes) {
   const CompactBvh bvh = build_compact_bvh(meshes::repeated(3000), {.most_in_leaf = 255});
   const Ray3 ray{{0.2, 0.2, 3}, {0, 0, -1}};
-  EXPECT_EQ(first_triangle(ray, bvh), 0u);
-  EXPECT_EQ(count_hits(ray, bvh), 3000u);
-  EXPECT_EQ(ordered_hits(ray, bvh)[2999].index, 2999u);
+  EXPECT_EQ(first_triangle(bvh, ray), 0u);
+  EXPECT_EQ(count_hits(bvh, ray), 3000u);
+  EXPECT_EQ(hits(bvh, ray)[2999].index, 2999u);
 }
 
 /// Rays from about a mesh to its vertices and beyond, some the other way.
@@ -127,24 +127,24 @@ void expect_as_in(const Bvh& bvh, const std::vector<AnyRay>& rays) {
   std::vector<std::uint8_t> any(rays.size()), as_any(rays.size());
   std::vector<std::size_t> count(rays.size()), as_count(rays.size());
   std::vector<std::vector<NumberedHit>> ordered(rays.size()), as_ordered(rays.size());
-  first_hits(rays, small, first);
-  first_hits(rays, bvh, as_first);
+  first_hit(small, rays, first);
+  first_hit(bvh, rays, as_first);
   EXPECT_EQ(first, as_first);
-  first_triangles(rays, small, triangle);
-  first_triangles(rays, bvh, as_triangle);
+  first_triangle(small, rays, triangle);
+  first_triangle(bvh, rays, as_triangle);
   EXPECT_EQ(triangle, as_triangle);
-  hits(rays, small, any);
-  hits(rays, bvh, as_any);
+  any_hit(small, rays, any);
+  any_hit(bvh, rays, as_any);
   EXPECT_EQ(any, as_any);
-  count_hits(rays, small, count);
-  count_hits(rays, bvh, as_count);
+  count_hits(small, rays, count);
+  count_hits(bvh, rays, as_count);
   EXPECT_EQ(count, as_count);
-  ordered_hits(rays, small, ordered);
-  ordered_hits(rays, bvh, as_ordered);
+  hits(small, rays, ordered);
+  hits(bvh, rays, as_ordered);
   EXPECT_EQ(ordered, as_ordered);
   EXPECT_GT(std::count(any.begin(), any.end(), 1), 0);
   EXPECT_GT(std::count(any.begin(), any.end(), 0), 0);
-  for (std::size_t i = 0; i < rays.size(); i += 16) EXPECT_EQ(first_hit(rays[i], small), first[i]) << "ray " << i;
+  for (std::size_t i = 0; i < rays.size(); i += 16) EXPECT_EQ(first_hit(small, rays[i]), first[i]) << "ray " << i;
 }
 
 TEST(CompactRay, OfManyIsThatOfEachByAnyInstructionSetAndNumberOfThreads) {
@@ -163,10 +163,10 @@ TEST(CompactRay, OfManyIsThatOfEachByAnyInstructionSetAndNumberOfThreads) {
   }
   std::vector<std::uint32_t> out(rays.size());
   const auto stopped = [](double) { return false; };
-  EXPECT_THROW(first_triangles(rays, compact(bvh), out, {.progress = stopped}), Cancelled);
+  EXPECT_THROW(first_triangle(compact(bvh), rays, out, {.progress = stopped}), Cancelled);
   out.resize(1);
-  EXPECT_EQ(text_of<UnequalLengths>([&] { first_triangles(rays, compact(bvh), out); }),
-            "first_triangles: out has 1 items, rays has " + std::to_string(rays.size()));
+  EXPECT_EQ(text_of<UnequalLengths>([&] { first_triangle(compact(bvh), rays, out); }),
+            "first_triangle: out has 1 items, rays has " + std::to_string(rays.size()));
 }
 
 TEST(CompactRay, FindsInModelsWhatTheTreeFinds) {

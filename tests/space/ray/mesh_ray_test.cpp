@@ -16,12 +16,12 @@ using namespace mesh_rays;
 
 void check(const AnyRay& ray, const TriangleMesh& mesh, const Bvh& bvh, HitRule rule, const std::string& about) {
   const std::vector<TrueHit> expected = true_hits(ray, mesh, rule);
-  const auto first = first_hit(ray, bvh, rule);
+  const auto first = first_hit(bvh, ray, rule);
   ASSERT_EQ(first.has_value(), !expected.empty()) << about;
-  ASSERT_EQ(hits(ray, bvh, rule), !expected.empty()) << about;
-  ASSERT_EQ(count_hits(ray, bvh, rule), expected.size()) << about;
-  ASSERT_EQ(first_triangle(ray, bvh, rule).has_value(), !expected.empty()) << about;
-  const std::vector<NumberedHit> all = ordered_hits(ray, bvh, rule);
+  ASSERT_EQ(any_hit(bvh, ray, rule), !expected.empty()) << about;
+  ASSERT_EQ(count_hits(bvh, ray, rule), expected.size()) << about;
+  ASSERT_EQ(first_triangle(bvh, ray, rule).has_value(), !expected.empty()) << about;
+  const std::vector<NumberedHit> all = hits(bvh, ray, rule);
   ASSERT_EQ(all.size(), expected.size()) << about;
   for (std::size_t i = 0; i < all.size(); ++i) {
     ASSERT_EQ(all[i].index, expected[i].index) << about << " hit " << i;
@@ -30,7 +30,7 @@ void check(const AnyRay& ray, const TriangleMesh& mesh, const Bvh& bvh, HitRule 
   if (expected.empty()) return;
   ASSERT_EQ(first->index, expected[0].index) << about;
   ASSERT_EQ(*first, all[0]) << about;
-  ASSERT_EQ(*first_triangle(ray, bvh, rule), expected[0].index) << about;
+  ASSERT_EQ(*first_triangle(bvh, ray, rule), expected[0].index) << about;
 }
 
 TEST(MeshRay, FindsWhatEveryTriangleSays) {
@@ -96,18 +96,18 @@ TEST(MeshRay, OfNothingIsNothing) {
   const Bvh nothing = build_bvh(TriangleMesh{});
   for (const AnyRay& ray : {AnyRay(Ray3{{0, 0, 0}, {1, 0, 0}}), AnyRay(Line3{{0, 0, 0}, {1, 0, 0}}),
                             AnyRay(Segment3{{0, 0, 0}, {1, 0, 0}}), AnyRay(Ray3{{0, 0, 0}, {0, 0, 0}})}) {
-    EXPECT_FALSE(first_hit(ray, nothing) || first_triangle(ray, nothing) || hits(ray, nothing));
-    EXPECT_TRUE(ordered_hits(ray, nothing).empty());
-    EXPECT_EQ(count_hits(ray, nothing), 0u);
+    EXPECT_FALSE(first_hit(nothing, ray) || first_triangle(nothing, ray) || any_hit(nothing, ray));
+    EXPECT_TRUE(hits(nothing, ray).empty());
+    EXPECT_EQ(count_hits(nothing, ray), 0u);
   }
 }
 
 TEST(MeshRay, SameTriangleThousandsOfTimes) {
   const Bvh bvh = build_bvh(meshes::repeated(3000));
   const Ray3 ray{{0.2, 0.2, 3}, {0, 0, -1}};
-  EXPECT_EQ(first_triangle(ray, bvh), 0u);
-  EXPECT_EQ(count_hits(ray, bvh), 3000u);
-  EXPECT_EQ(ordered_hits(ray, bvh)[2999].index, 2999u);
+  EXPECT_EQ(first_triangle(bvh, ray), 0u);
+  EXPECT_EQ(count_hits(bvh, ray), 3000u);
+  EXPECT_EQ(hits(bvh, ray)[2999].index, 2999u);
 }
 
 TEST(ManyRays, AreAnsweredAsEachAloneByAnyInstructionSetAndNumberOfThreads) {
@@ -128,18 +128,18 @@ TEST(ManyRays, AreAnsweredAsEachAloneByAnyInstructionSetAndNumberOfThreads) {
     std::vector<std::uint8_t> any(rays.size());
     std::vector<std::size_t> count(rays.size());
     std::vector<std::vector<NumberedHit>> ordered(rays.size());
-    first_hits(rays, bvh, first, options);
-    first_triangles(rays, bvh, triangle, options);
-    hits(rays, bvh, any, options);
-    count_hits(rays, bvh, count, options);
-    ordered_hits(rays, bvh, ordered, options);
+    first_hit(bvh, rays, first, options);
+    first_triangle(bvh, rays, triangle, options);
+    any_hit(bvh, rays, any, options);
+    count_hits(bvh, rays, count, options);
+    hits(bvh, rays, ordered, options);
     long hit = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      ASSERT_EQ(first[i], first_hit(rays[i], bvh)) << "ray " << i;
+      ASSERT_EQ(first[i], first_hit(bvh, rays[i])) << "ray " << i;
       ASSERT_EQ(triangle[i], first[i] ? first[i]->index : no_triangle) << "ray " << i;
       ASSERT_EQ(any[i], first[i] ? 1 : 0) << "ray " << i;
-      ASSERT_EQ(count[i], count_hits(rays[i], bvh)) << "ray " << i;
-      ASSERT_EQ(ordered[i], ordered_hits(rays[i], bvh)) << "ray " << i;
+      ASSERT_EQ(count[i], count_hits(bvh, rays[i])) << "ray " << i;
+      ASSERT_EQ(ordered[i], hits(bvh, rays[i])) << "ray " << i;
       hit += first[i].has_value();
     }
     EXPECT_GT(hit, 150);
@@ -158,10 +158,10 @@ TEST(ManyRays, ReportProgressAndStop) {
       seen.push_back(share);
       return true;
     };
-    first_triangles(rays, bvh, out, {.execution = execution, .progress = keep});
+    first_triangle(bvh, rays, out, {.execution = execution, .progress = keep});
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
     EXPECT_EQ(seen.back(), 1.0);
-    EXPECT_THROW(first_triangles(rays, bvh, out, {.execution = execution, .progress = [](double) { return false; }}),
+    EXPECT_THROW(first_triangle(bvh, rays, out, {.execution = execution, .progress = [](double) { return false; }}),
                  Cancelled);
   }
 }
@@ -170,12 +170,12 @@ TEST(ManyRays, RefuseWhatDoesNotFit) {
   const Bvh bvh = build_bvh(meshes::ring(4));
   std::vector<AnyRay> rays(3, Ray3{{0, 0, 0}, {1, 0, 0}});
   std::vector<std::uint32_t> out(2);
-  EXPECT_EQ(text_of<UnequalLengths>([&] { first_triangles(rays, bvh, out); }),
-            "first_triangles: out has 2 items, rays has 3");
+  EXPECT_EQ(text_of<UnequalLengths>([&] { first_triangle(bvh, rays, out); }),
+            "first_triangle: out has 2 items, rays has 3");
   out.resize(3);
   rays[1].direction.y = std::numeric_limits<double>::infinity();
-  EXPECT_TRUE(text_of<NonFinite>([&] { first_triangles(rays, bvh, out); }).starts_with("first_triangles: "));
-  EXPECT_THROW((void)first_hit(rays[1], build_bvh(TriangleMesh{})), NonFinite);
+  EXPECT_TRUE(text_of<NonFinite>([&] { first_triangle(bvh, rays, out); }).starts_with("first_triangle: "));
+  EXPECT_THROW((void)first_hit(build_bvh(TriangleMesh{}), rays[1]), NonFinite);
 }
 
 }  // namespace

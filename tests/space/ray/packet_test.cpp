@@ -100,20 +100,20 @@ std::size_t check(const std::vector<AnyRay>& rays, const Mesh& mesh, const ManyR
   std::vector<std::uint8_t> any(rays.size());
   std::vector<std::size_t> count(rays.size());
   std::vector<std::vector<NumberedHit>> ordered(rays.size());
-  first_hits(rays, mesh, first, options);
-  first_triangles(rays, mesh, triangle, options);
-  hits(rays, mesh, any, options);
-  count_hits(rays, mesh, count, options);
-  ordered_hits(rays, mesh, ordered, options);
+  first_hit(mesh, rays, first, options);
+  first_triangle(mesh, rays, triangle, options);
+  any_hit(mesh, rays, any, options);
+  count_hits(mesh, rays, count, options);
+  hits(mesh, rays, ordered, options);
   std::size_t hit = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const auto alone = first_hit(rays[i], mesh, options.rule);
+    const auto alone = first_hit(mesh, rays[i], options.rule);
     const std::string about = "ray " + std::to_string(i) + " " + mesh_rays::text_of(rays[i]);
     EXPECT_EQ(first[i], alone) << about;
     EXPECT_EQ(triangle[i], alone ? alone->index : no_triangle) << about;
     EXPECT_EQ(any[i], alone ? 1 : 0) << about;
-    EXPECT_EQ(count[i], count_hits(rays[i], mesh, options.rule)) << about;
-    EXPECT_EQ(ordered[i], ordered_hits(rays[i], mesh, options.rule)) << about;
+    EXPECT_EQ(count[i], count_hits(mesh, rays[i], options.rule)) << about;
+    EXPECT_EQ(ordered[i], hits(mesh, rays[i], options.rule)) << about;
     hit += alone.has_value();
   }
   return hit;
@@ -140,7 +140,7 @@ TEST(RayPacket, FindsWhatEachRayFinds) {
     asked[batch] += rays.size();
     for (std::size_t k = 0; k < rays.size(); k += 7) {  // one by one is as every triangle says
       const auto expected = mesh_rays::true_hits(rays[k], mesh, options.rule);
-      const auto first = first_triangle(rays[k], bvh, options.rule);
+      const auto first = first_triangle(bvh, rays[k], options.rule);
       EXPECT_EQ(first.value_or(no_triangle), expected.empty() ? no_triangle : expected[0].index) << "ray " << k;
     }
     if (HasFailure()) break;

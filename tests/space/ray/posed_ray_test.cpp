@@ -1,6 +1,4 @@
 // Do rays at moved meshes find what they find at the exactly moved triangles?
-#include "plumb/space/ray/posed_ray.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,8 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/arith/gmp.hpp"
+#include "plumb/space/ray/inside.hpp"
+#include "plumb/space/ray/mesh_ray.hpp"
 #include "query/ray/posed_triangle.hpp"
 #include "space/bvh/poses.hpp"
 #include "space/ray/rays.hpp"
@@ -64,21 +64,21 @@ void expect_hits(const AnyRay& ray, const TriangleMesh& mesh, const Bvh& bvh, co
   }
   std::stable_sort(expected.begin(), expected.end(), [](const TrueHit& a, const TrueHit& b) { return a.t < b.t; });
   const PosedMesh asked{bvh, pose};
-  const auto first = first_hit(ray, asked, rule);
+  const auto first = first_hit(asked, ray, rule);
   ASSERT_EQ(first.has_value(), !expected.empty()) << about;
-  ASSERT_EQ(hits(ray, asked, rule), !expected.empty()) << about;
-  ASSERT_EQ(count_hits(ray, asked, rule), expected.size()) << about;
-  const std::vector<NumberedHit> all = ordered_hits(ray, asked, rule);
+  ASSERT_EQ(any_hit(asked, ray, rule), !expected.empty()) << about;
+  ASSERT_EQ(count_hits(asked, ray, rule), expected.size()) << about;
+  const std::vector<NumberedHit> all = hits(asked, ray, rule);
   ASSERT_EQ(all.size(), expected.size()) << about;
   for (std::size_t i = 0; i < all.size(); ++i) {
     ASSERT_EQ(all[i].index, expected[i].index) << about << " hit " << i;
     ASSERT_EQ(all[i].hit.t, expected[i].t.rounded()) << about << " hit " << i;
   }
-  ASSERT_EQ(first_triangle(ray, asked, rule).has_value(), !expected.empty()) << about;
+  ASSERT_EQ(first_triangle(asked, ray, rule).has_value(), !expected.empty()) << about;
   if (expected.empty()) return;
   ASSERT_EQ(first->index, expected[0].index) << about;
   ASSERT_EQ(*first, all[0]) << about;
-  ASSERT_EQ(*first_triangle(ray, asked, rule), expected[0].index) << about;
+  ASSERT_EQ(*first_triangle(asked, ray, rule), expected[0].index) << about;
 }
 
 TEST(PosedRay, FindsWhatRationalsSay) {
@@ -126,16 +126,16 @@ TEST(PosedRay, FindsWhatTheExactlyPosedMeshHas) {
     }
     const std::string about = m.about() + " " + text_of(ray);
     for (const HitRule rule : rules) {
-      ASSERT_EQ(ordered_hits(ray, asked, rule), ordered_hits(ray, there, rule)) << about;
-      ASSERT_EQ(first_hit(ray, asked, rule), first_hit(ray, there, rule)) << about;
-      ASSERT_EQ(count_hits(ray, asked, rule), count_hits(ray, there, rule)) << about;
+      ASSERT_EQ(hits(asked, ray, rule), hits(there, ray, rule)) << about;
+      ASSERT_EQ(first_hit(asked, ray, rule), first_hit(there, ray, rule)) << about;
+      ASSERT_EQ(count_hits(asked, ray, rule), count_hits(there, ray, rule)) << about;
     }
     for (const Point3& p : {ray.origin, m.probe3(), m.probe3()}) {
       ASSERT_EQ(locate(asked, p), locate(there, p)) << about;
       ASSERT_EQ(winding_number(asked, p), winding_number(there, p)) << about;
       ASSERT_EQ(contains(asked, p), contains(there, p)) << about;
     }
-    hit += hits(ray, there), ++compared;
+    hit += any_hit(there, ray), ++compared;
   });
   EXPECT_GT(compared, battery::fitting(300));
   EXPECT_GT(hit, battery::fitting(100));
@@ -161,15 +161,15 @@ TEST(PosedRay, NothingSlipsThroughATurnedMesh) {
     std::vector<std::uint8_t> hit(rays.size());
     std::vector<std::vector<NumberedHit>> ordered(rays.size());
     std::vector<std::optional<NumberedHit>> firsts(rays.size());
-    first_triangles(rays, asked, first);
-    first_hits(rays, asked, firsts);
-    hits(rays, asked, hit);
-    count_hits(rays, asked, crossed, {.rule = HitRule::half_open});
-    ordered_hits(rays, asked, ordered);
+    first_triangle(asked, rays, first);
+    first_hit(asked, rays, firsts);
+    any_hit(asked, rays, hit);
+    count_hits(asked, rays, crossed, {.rule = HitRule::half_open});
+    hits(asked, rays, ordered);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       EXPECT_EQ(crossed[i] % 2, 0u) << m.about() << " ray " << i;
-      EXPECT_EQ(first[i], first_triangle(rays[i], asked).value_or(no_triangle)) << m.about() << " ray " << i;
-      EXPECT_EQ(firsts[i], first_hit(rays[i], asked)) << m.about() << " ray " << i;
+      EXPECT_EQ(first[i], first_triangle(asked, rays[i]).value_or(no_triangle)) << m.about() << " ray " << i;
+      EXPECT_EQ(firsts[i], first_hit(asked, rays[i])) << m.about() << " ray " << i;
       EXPECT_EQ(hit[i] != 0, first[i] != no_triangle) << m.about() << " ray " << i;
       EXPECT_EQ(ordered[i].empty(), hit[i] == 0) << m.about() << " ray " << i;
     }
@@ -191,11 +191,11 @@ TEST(PosedRay, NothingSlipsThroughATurnedMesh) {
 TEST(PosedRay, BeyondTheLargestDouble) {
   const Bvh bvh = build_bvh(TriangleMesh{{{1, -1, -1}, {1, 2, -1}, {1, -1, 2}}, {{0, 1, 2}}});
   const Pose far{{{{0x1p1023, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0x1p1023, 0, 0}};  // x = 2^1024
-  const auto hit = first_hit(Ray3{{0, 0, 0}, {1, 0, 0}}, {bvh, far});
+  const auto hit = first_hit({bvh, far}, Ray3{{0, 0, 0}, {1, 0, 0}});
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->hit.t, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(first_hit(Ray3{{0, 0, 0}, {2, 0, 0}}, {bvh, far})->hit.t, 0x1p1023);
-  EXPECT_FALSE(hits(Segment3{{0, 0, 0}, {0x1.fffffffffffffp1023, 0, 0}}, {bvh, far}));
+  EXPECT_EQ(first_hit({bvh, far}, Ray3{{0, 0, 0}, {2, 0, 0}})->hit.t, 0x1p1023);
+  EXPECT_FALSE(any_hit({bvh, far}, Segment3{{0, 0, 0}, {0x1.fffffffffffffp1023, 0, 0}}));
 }
 
 TEST(PosedRay, RefusesWhatIsNone) {
@@ -204,17 +204,17 @@ TEST(PosedRay, RefusesWhatIsNone) {
   pose.columns[0].x = std::nan("");
   const Ray3 ray{{0, 0, 1}, {0, 0, -1}};
   EXPECT_EQ(text_of<NonFinite>([&] {
-              (void)first_hit(ray, {bvh, pose});
+              (void)first_hit({bvh, pose}, ray);
             }),
             "first_hit: mesh.pose.columns[0].x is nan, not a real number; give a finite double");
   EXPECT_EQ(text_of<NonFinite>([&] {
               (void)locate({bvh, pose}, Point3{0, 0, 0});
             }),
             "locate: mesh.pose.columns[0].x is nan, not a real number; give a finite double");
-  EXPECT_THROW((void)hits(Ray3{{INFINITY, 0, 0}, {0, 0, 1}}, PosedMesh(bvh)), NonFinite);
+  EXPECT_THROW((void)any_hit(PosedMesh(bvh), Ray3{{INFINITY, 0, 0}, {0, 0, 1}}), NonFinite);
   EXPECT_THROW((void)locate(PosedMesh(bvh), Point3{NAN, 0, 0}), NonFinite);
   std::vector<std::size_t> out(2);
-  EXPECT_THROW(count_hits(std::vector<AnyRay>{ray}, PosedMesh(bvh), out), UnequalLengths);
+  EXPECT_THROW(count_hits(PosedMesh(bvh), std::vector<AnyRay>{ray}, out), UnequalLengths);
 }
 
 }  // namespace

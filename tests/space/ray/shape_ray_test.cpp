@@ -35,11 +35,11 @@ TEST(ShapeRay, FindsWhatEverySphereSays) {
         if (auto t = parameter(i)) expected.push_back({i, *t});
       }
       std::stable_sort(expected.begin(), expected.end(), [](const TrueHit& a, const TrueHit& b) { return a.t < b.t; });
-      const auto first = first_item_hit(ray, tree, parameter);
-      const auto all = ordered_item_hits(ray, tree, parameter);
+      const auto first = first_hit(tree, ray, parameter);
+      const auto all = hits(tree, ray, parameter);
       const std::string about = m.about() + " " + text_of(ray);
       ASSERT_EQ(first.has_value(), !expected.empty()) << about;
-      ASSERT_EQ(any_item_hit(ray, tree, [&](std::uint32_t i) { return parameter(i).has_value(); }), !expected.empty());
+      ASSERT_EQ(any_hit(tree, ray, [&](std::uint32_t i) { return parameter(i).has_value(); }), !expected.empty());
       ASSERT_EQ(all.size(), expected.size()) << about;
       for (std::size_t i = 0; i < all.size(); ++i) {
         ASSERT_EQ(all[i].item, expected[i].index) << about;
@@ -62,11 +62,11 @@ TEST(ShapeRay, TakesDoublesAsParameters) {
   const BoxTree tree = build_box_tree(boxes);
   const auto wall = [&](std::uint32_t i) { return std::optional<double>(walls[i]); };
   const Ray3 ray{{0, 0, 0}, {1, 0, 0}};
-  EXPECT_EQ(first_item_hit(ray, tree, wall)->item, 1u);
+  EXPECT_EQ(first_hit(tree, ray, wall)->item, 1u);
   std::vector<std::uint32_t> order;
-  for (const auto& hit : ordered_item_hits(ray, tree, wall)) order.push_back(hit.item);
+  for (const auto& hit : hits(tree, ray, wall)) order.push_back(hit.item);
   EXPECT_EQ(order, (std::vector<std::uint32_t>{1, 2, 0, 3}));
-  EXPECT_FALSE(first_item_hit(ray, BoxTree{}, wall));
+  EXPECT_FALSE(first_hit(BoxTree{}, ray, wall));
 }
 
 }  // namespace

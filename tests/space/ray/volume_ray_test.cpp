@@ -47,9 +47,9 @@ TYPED_TEST(VolumeRay, FindsWhatEveryTriangleSays) {
       const AnyRay ray = ray_of(m);
       for (const HitRule rule : rules) {
         const std::vector<TrueHit> expected = true_hits(ray, mesh, rule);
-        const auto first = first_hit(ray, asked, rule);
+        const auto first = first_hit(asked, ray, rule);
         ASSERT_EQ(first.has_value(), !expected.empty()) << m.about() << text_of(ray);
-        ASSERT_EQ(hits(ray, asked, rule), !expected.empty()) << m.about() << text_of(ray);
+        ASSERT_EQ(any_hit(asked, ray, rule), !expected.empty()) << m.about() << text_of(ray);
         if (first) {
           ASSERT_EQ(first->index, expected[0].index) << m.about() << text_of(ray);
           ASSERT_EQ(first->hit, *first_hit(ray, triangle_of(mesh, first->index), rule)) << m.about();
@@ -78,9 +78,9 @@ TYPED_TEST(VolumeRay, FindsWhatEveryPosedTriangleSays) {
     for (int k = 0; k < 3; ++k) {
       const AnyRay ray = ray_of(m);
       for (const HitRule rule : rules) {
-        const auto expected = first_hit(ray, moved, rule);
-        ASSERT_EQ(first_hit(ray, asked, rule), expected) << m.about() << text_of(ray);
-        ASSERT_EQ(hits(ray, asked, rule), expected.has_value()) << m.about() << text_of(ray);
+        const auto expected = first_hit(moved, ray, rule);
+        ASSERT_EQ(first_hit(asked, ray, rule), expected) << m.about() << text_of(ray);
+        ASSERT_EQ(any_hit(asked, ray, rule), expected.has_value()) << m.about() << text_of(ray);
         hit += expected.has_value();
       }
     }
@@ -102,8 +102,8 @@ TYPED_TEST(VolumeRay, FindsWhatTheTreeFinds) {
       const Vector3 way{b.x - a.x, b.y - a.y, b.z - a.z};
       for (const AnyRay& ray : {AnyRay(Ray3{a, way}), AnyRay(Line3{b, way}), AnyRay(Segment3{b, a}),
                                 AnyRay(Ray3{a, {1, 0, 0}}), AnyRay(Line3{a, {0, 0, -1}})}) {
-        ASSERT_EQ(first_hit(ray, asked), first_hit(ray, bvh)) << i << text_of(ray);
-        ASSERT_EQ(hits(ray, asked), hits(ray, bvh)) << i << text_of(ray);
+        ASSERT_EQ(first_hit(asked, ray), first_hit(bvh, ray)) << i << text_of(ray);
+        ASSERT_EQ(any_hit(asked, ray), any_hit(bvh, ray)) << i << text_of(ray);
       }
     }
   }
@@ -152,12 +152,12 @@ TEST(VolumeRayOfNothing, IsNothingAndBadInputIsNamed) {
   const Bvh none = build_bvh(TriangleMesh{}), some = build_bvh(meshes::repeated(40));
   const auto nothing = build_volume_tree<Obb3>(none);
   const Ray3 ray{{0, 0, 1}, {0, 0, -1}};
-  EXPECT_FALSE(first_hit(ray, VolumeMesh(none, nothing)).has_value());
-  EXPECT_FALSE(hits(ray, VolumeMesh(none, nothing)));
+  EXPECT_FALSE(first_hit(VolumeMesh(none, nothing), ray).has_value());
+  EXPECT_FALSE(any_hit(VolumeMesh(none, nothing), ray));
   EXPECT_TRUE(text_of<InvalidShape>([&] {
-                (void)hits(ray, VolumeMesh(some, nothing));
-              }).starts_with("hits: mesh.volumes has 0 nodes"));
-  EXPECT_THROW((void)first_hit(Ray3{{0, 0, NAN}, {0, 0, 1}}, VolumeMesh(none, nothing)), NonFinite);
+                (void)any_hit(VolumeMesh(some, nothing), ray);
+              }).starts_with("any_hit: mesh.volumes has 0 nodes"));
+  EXPECT_THROW((void)first_hit(VolumeMesh(none, nothing), Ray3{{0, 0, NAN}, {0, 0, 1}}), NonFinite);
 }
 
 }  // namespace

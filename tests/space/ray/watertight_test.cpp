@@ -56,13 +56,13 @@ void expect_no_leaks(const TriangleMesh& given, const std::string& name) {
     }
   }
   std::vector<std::uint8_t> hit(segments.size());
-  hits(segments, bvh, hit);
+  any_hit(bvh, segments, hit);
   const auto leaks = std::count(hit.begin(), hit.end(), 0);
   EXPECT_EQ(leaks, 0) << name;
   std::vector<std::size_t> crossed(rays.size());
   std::vector<std::uint32_t> first(rays.size());
-  count_hits(rays, bvh, crossed, {.rule = HitRule::half_open});
-  first_triangles(rays, bvh, first);
+  count_hits(bvh, rays, crossed, {.rule = HitRule::half_open});
+  first_triangle(bvh, rays, first);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     EXPECT_EQ(crossed[i] % 2, 0u) << name << " ray " << i;
     EXPECT_TRUE(crossed[i] == 0 || first[i] != no_triangle) << name << " ray " << i;

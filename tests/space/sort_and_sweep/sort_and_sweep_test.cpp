@@ -83,12 +83,12 @@ TEST(SweepArray, AnswersAsFromScratchInEveryFrame) {
       if (e.below(8) == 0) std::swap(boxes[e.below(boxes.size())], boxes[e.below(boxes.size())]);
       if (e.below(32) == 0) std::reverse(boxes.begin(), boxes.end());
       if (e.below(32) == 0 && boxes.size() > 2) boxes.pop_back();
-      ASSERT_EQ(sweep.pairs(boxes), sort_and_sweep_pairs(boxes, {s % 2 == 0, Execution::serial}))
+      ASSERT_EQ(sweep.overlapping_pairs(boxes), sort_and_sweep_pairs(boxes, {s % 2 == 0, Execution::serial}))
           << "scene " << s << ", frame " << frame;
       ++(sweep.from_scratch() ? anew : kept);
       steps += sweep.steps();
     }
-    EXPECT_TRUE(sweep.pairs({}).empty());
+    EXPECT_TRUE(sweep.overlapping_pairs({}).empty());
   }
   EXPECT_GT(kept, anew);
   EXPECT_GT(anew, 20u);
@@ -127,7 +127,7 @@ TEST(SweepLists, AnswerAsBruteForceWhileBoxesComeGoAndMove) {
         }
         auto expected = brute_force_pairs(boxes, {.touching = touching});
         for (BoxPair& p : expected) p = {numbers[p.a], numbers[p.b]};
-        ASSERT_EQ(lists.pairs(), expected) << "scene " << s << ", axes " << axes << ", turn " << turn;
+        ASSERT_EQ(lists.overlapping_pairs(), expected) << "scene " << s << ", axes " << axes << ", turn " << turn;
         ASSERT_EQ(lists.size(), boxes.size());
         pairs += expected.size();
       }
@@ -143,10 +143,10 @@ TEST(SweepLists, RefuseWhatIsNotThere) {
   const std::uint32_t a = lists.insert({{0, 0, 0}, {1, 1, 1}}), b = lists.insert({{1, 1, 1}, {2, 2, 2}});
   EXPECT_THAT(text_of<InvalidShape>([&] { lists.move(a, {{0, 0, 0}, {1, 1, -1}}); }), HasSubstr("box is empty"));
   EXPECT_THAT(text_of<InvalidShape>([&] { lists.remove(7); }), HasSubstr("there is no box 7"));
-  EXPECT_EQ(lists.pairs(), (std::vector<BoxPair>{{a, b}}));
+  EXPECT_EQ(lists.overlapping_pairs(), (std::vector<BoxPair>{{a, b}}));
   lists.remove(a);
   EXPECT_THAT(text_of<InvalidShape>([&] { lists.remove(a); }), HasSubstr("there is no box 0"));
-  EXPECT_TRUE(lists.pairs().empty());
+  EXPECT_TRUE(lists.overlapping_pairs().empty());
   EXPECT_EQ(lists.insert({{0, 0, 0}, {0, 0, 0}}), a);
   EXPECT_THAT(text_of<InvalidShape>([] { SweepLists({.axes = 4}); }), HasSubstr("options.axes is 4"));
 }

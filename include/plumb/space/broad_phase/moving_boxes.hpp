@@ -2,9 +2,9 @@
 //
 //   MovingBoxes world;
 //   const std::vector<BoxHandle> handles = world.insert(boxes);
-//   world.update(handles, moved);
+//   world.move(handles, moved);
 //   const BoxPairChanges& now = world.changes();   // now.added and now.lost, since the last call
-//   world.pairs()                                  // all, as of the last call of changes()
+//   world.overlapping_pairs()                                  // all, as of the last call of changes()
 //   world.in_box(region);   world.first_hit(ray);  // of the boxes as they are now
 //
 // Boxes stand in columns, sorted along them, and stay there from frame to frame.  Where few have moved, each of these is
@@ -89,8 +89,8 @@ class MovingBoxes {
   BoxHandle insert(const Aabb3& box);
   std::vector<BoxHandle> insert(std::span<const Aabb3> boxes);
   void remove(const BoxHandle& handle);
-  void update(const BoxHandle& handle, const Aabb3& box);
-  void update(std::span<const BoxHandle> handles, std::span<const Aabb3> boxes);
+  void move(const BoxHandle& handle, const Aabb3& box);
+  void move(std::span<const BoxHandle> handles, std::span<const Aabb3> boxes);
 
   [[nodiscard]] bool contains(const BoxHandle& handle) const;
   [[nodiscard]] const Aabb3& box(const BoxHandle& handle) const;
@@ -99,7 +99,7 @@ class MovingBoxes {
   /// Valid until the next call.
   const BoxPairChanges& changes();
 
-  [[nodiscard]] std::vector<HandlePair> pairs(std::vector<HandlePair> rows = {}) const;
+  [[nodiscard]] std::vector<HandlePair> overlapping_pairs(std::vector<HandlePair> rows = {}) const;
 
   /// Ascending.
   [[nodiscard]] std::vector<BoxHandle> in_box(const Aabb3& box, const InBoxOptions& options = {},

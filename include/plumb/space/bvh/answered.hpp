@@ -48,34 +48,23 @@ PLUMB_NO_ANSWER(bool,
 build_split_tree(PLUMB_ANYTHING) PLUMB_DELETED;
 
 // Which pairs?
-PLUMB_NO_ANSWER(std::vector<TrianglePair>,
-                "plumb: intersecting_pairs takes the trees of two meshes, each a Bvh, CompactBvh, VolumeMesh, "
-                "PosedMesh or PosedCompactMesh, both of one kind: intersecting_pairs(build_bvh(a), build_bvh(b))")
+PLUMB_NO_ANSWER(
+    std::vector<TrianglePair>,
+    "plumb: intersecting_pairs takes the trees of two meshes, each a Bvh or CompactBvh, in braces with a pose "
+    "where it has been moved, or two VolumeMesh, or one tree: intersecting_pairs(build_bvh(a), build_bvh(b))")
 intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
-PLUMB_NO_ANSWER(std::optional<TrianglePair>,
-                "plumb: any_intersecting_pair takes the trees of two meshes, each a Bvh, CompactBvh, VolumeMesh, "
-                "PosedMesh or PosedCompactMesh, both of one kind: any_intersecting_pair(build_bvh(a), build_bvh(b))")
+PLUMB_NO_ANSWER(
+    std::optional<TrianglePair>,
+    "plumb: any_intersecting_pair takes the trees of two meshes, each a Bvh or CompactBvh, in braces with a "
+    "pose where it has been moved, or two VolumeMesh, or one tree: "
+    "any_intersecting_pair(build_bvh(a), build_bvh(b))")
 any_intersecting_pair(PLUMB_ANYTHING) PLUMB_DELETED;
 
-PLUMB_NO_ANSWER(std::vector<TrianglePair>,
-                "plumb: self_intersecting_pairs takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
-                "PosedCompactMesh: self_intersecting_pairs(build_bvh(mesh))")
-self_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
-
-PLUMB_NO_ANSWER(std::optional<TrianglePair>,
-                "plumb: any_self_intersecting_pair takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
-                "PosedCompactMesh: any_self_intersecting_pair(build_bvh(mesh))")
-any_self_intersecting_pair(PLUMB_ANYTHING) PLUMB_DELETED;
-
-PLUMB_NO_ANSWER(PairCount,
-                "plumb: count_self_intersecting_pairs takes the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
-                "PosedCompactMesh: count_self_intersecting_pairs(build_bvh(mesh))")
-count_self_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
-
-PLUMB_NO_ANSWER(PairCount,
-                "plumb: count_intersecting_pairs takes the trees of two meshes, each a Bvh, CompactBvh, PosedMesh or "
-                "PosedCompactMesh, both of one kind: count_intersecting_pairs(build_bvh(a), build_bvh(b))")
+PLUMB_NO_ANSWER(
+    PairCount,
+    "plumb: count_intersecting_pairs takes the trees of two meshes, each a Bvh or CompactBvh, in braces with "
+    "a pose where it has been moved, or one tree: count_intersecting_pairs(build_bvh(a), build_bvh(b))")
 count_intersecting_pairs(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(
@@ -110,10 +99,11 @@ PLUMB_NO_ANSWER(std::vector<NearTriangle>,
                 "Point3 and a distance: triangles_within(build_bvh(mesh), p, distance)")
 triangles_within(PLUMB_ANYTHING) PLUMB_DELETED;
 
-PLUMB_NO_ANSWER(std::vector<std::uint32_t>,
-                "plumb: triangles_meeting takes the tree of a mesh, and then a figure of space or a span of one kind "
-                "of them, the list of space/range/range_search.hpp: triangles_meeting(build_bvh(mesh), box)")
-triangles_meeting(PLUMB_ANYTHING) PLUMB_DELETED;
+PLUMB_NO_ANSWER(
+    std::vector<std::uint32_t>,
+    "plumb: meeting takes the tree of a mesh, and then a figure of space or a span of one kind of them, the "
+    "list of space/range/range_search.hpp: meeting(build_bvh(mesh), box)")
+meeting(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(HausdorffDistance,
                 "plumb: hausdorff_distance takes the trees of two meshes, both a Bvh or both a PosedMesh: "
@@ -121,29 +111,22 @@ PLUMB_NO_ANSWER(HausdorffDistance,
 hausdorff_distance(PLUMB_ANYTHING) PLUMB_DELETED;
 
 // What does a ray hit?
-PLUMB_NO_ANSWER(bool,
-                "plumb: first_triangles takes a span of AnyRay, the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
-                "PosedCompactMesh, and a span of answers: first_triangles(rays, build_bvh(mesh), out)")
-first_triangles(PLUMB_ANYTHING) PLUMB_DELETED;
-
-PLUMB_NO_ANSWER(bool,
-                "plumb: first_hits takes a span of AnyRay, the tree of a mesh, a Bvh, CompactBvh, PosedMesh or "
-                "PosedCompactMesh, and a span of answers: first_hits(rays, build_bvh(mesh), out)")
-first_hits(PLUMB_ANYTHING) PLUMB_DELETED;
-
-PLUMB_NO_ANSWER(std::optional<std::uint32_t>,
-                "plumb: first_triangle takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
-                "PosedMesh or PosedCompactMesh: first_triangle(ray, build_bvh(mesh))")
+PLUMB_NO_ANSWER(
+    std::optional<std::uint32_t>,
+    "plumb: first_triangle takes the tree of a mesh, a Bvh or CompactBvh, in braces with a pose where it has "
+    "been moved, and then a Ray3, Segment3 or Line3, or spans of AnyRay and of answers: "
+    "first_triangle(build_bvh(mesh), ray)")
 first_triangle(PLUMB_ANYTHING) PLUMB_DELETED;
 
-PLUMB_NO_ANSWER(std::vector<NumberedHit>,
-                "plumb: ordered_hits takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
-                "PosedMesh or PosedCompactMesh: ordered_hits(ray, build_bvh(mesh))")
-ordered_hits(PLUMB_ANYTHING) PLUMB_DELETED;
+PLUMB_NO_ANSWER(bool,
+                "plumb: any_hit takes an index, and then a Ray3, Segment3 or Line3, or spans of AnyRay and of answers: "
+                "any_hit(build_bvh(mesh), ray); of one figure hits(ray, figure)")
+any_hit(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(std::size_t,
-                "plumb: count_hits takes a Ray3, Segment3 or Line3 and then the tree of a mesh, a Bvh, CompactBvh, "
-                "PosedMesh or PosedCompactMesh: count_hits(ray, build_bvh(mesh))")
+                "plumb: count_hits takes the tree of a mesh, a Bvh or CompactBvh, in braces with a pose where it has "
+                "been moved, and then a Ray3, Segment3 or Line3, or spans of AnyRay and of answers: "
+                "count_hits(build_bvh(mesh), ray)")
 count_hits(PLUMB_ANYTHING) PLUMB_DELETED;
 
 // Which are near, and which nearest?

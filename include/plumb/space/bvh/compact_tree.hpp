@@ -1,7 +1,7 @@
 // How small can a mesh's tree be?  Eight boxes a node, of one byte a coordinate, and numbers of as few bytes as they need.
 //
 //   const CompactBvh small = compact(build_bvh(mesh));    // 26 bytes a triangle, vertices included, where a Bvh takes 58
-//   first_hit(ray, small), closest_on_mesh(small, p), triangles_meeting(small, box)
+//   first_hit(ray, small), closest_on_mesh(small, p), meeting(small, box)
 //
 // A node keeps the boxes of its children as steps on a grid of its own: origin[k] + planes[k][i] 2^(step[k] - 149), and
 // for max planes[3 + k].  The first `inner` children are the nodes first_node, first_node + 1, ...; of the others, child

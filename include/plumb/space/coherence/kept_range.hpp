@@ -2,15 +2,15 @@
 // Those around it are kept in one row.
 //
 //   KeptRange near(bvh);                                      // one for each thing that moves in the mesh
-//   for (;;) for (const std::uint32_t t : near.triangles_meeting(ball)) ...
+//   for (;;) for (const std::uint32_t t : near.meeting(ball)) ...
 //
 // A query in a new place asks the tree, and sets a region around the shape's box, larger by `margin` of its longest
 // side.  The second one whose box is in the region copies the triangles around it, with their boxes, one after the
 // other; it and those that follow look through these alone.  So what leaps pays for no row.
-// Laws: (1) the answers are those of triangles_meeting(mesh, shape), exactly, whatever was asked before.  (2) The mesh
+// Laws: (1) the answers are those of meeting(mesh, shape), exactly, whatever was asked before.  (2) The mesh
 // outlives it and stays as it is; where it has been refitted, forget() is called.
 // Each query changes it: two threads need two.
-// Errors are those of triangles_meeting, and InvalidShape for a margin that is negative or not finite.
+// Errors are those of meeting, and InvalidShape for a margin that is negative or not finite.
 // Source: RTCD 13.5, 13.5.1.
 // Cost: a comparison of boxes for each triangle of the row, and a test of those whose boxes meet; 128 bytes each.
 // Bounded by n tests of triangles, on integers as long as the exponents' span.
@@ -33,7 +33,7 @@ class KeptRange {
 
   /// The numbers, ascending.
   template <KeptRangeShape Shape>
-  std::vector<std::uint32_t> triangles_meeting(const Shape& shape, std::vector<std::uint32_t> rows = {});
+  std::vector<std::uint32_t> meeting(const Shape& shape, std::vector<std::uint32_t> rows = {});
 
   void forget() { region_ = none; }
   /// Was the last query answered by the row; and of how many triangles is that?

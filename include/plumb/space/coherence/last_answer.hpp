@@ -3,11 +3,12 @@
 //   LastPair last;                                    // one for each two meshes that are asked again and again
 //   for (;;) if (any_intersecting_pair(a, b, last)) ...
 //   LastTriangle near;                                // one for each ray, one for each point
-//   hits(ray, mesh, near);
+//   any_hit(mesh, ray, near);
 //
 // Laws: (1) the answers are those of the functions without a memory, exactly; any_intersecting_pair may name another of
-// the pairs that meet, closest_triangles another of equally near ones where the first is not asked for.  (2) What is remembered is a guess that is tested: it may be of a mesh that has been moved,
-// refitted, built anew or is another one.  (3) It is written by each query: two threads need two.
+// the pairs that meet, closest_triangles another of equally near ones where the first is not asked for.  (2) What is
+// remembered is a guess that is tested: it may be of a mesh that has been moved, refitted, built anew or is another
+// one.  (3) It is written by each query: two threads need two.
 // Errors are those of the functions without a memory.
 // Source: RTCD 6.7.1.
 // Cost: two numbers; a triangle's test, or that of a pair, where the guess is wrong.  Where it is right, whether meshes
@@ -21,8 +22,8 @@
 #include <optional>
 
 #include "plumb/space/closest/posed_closest.hpp"
-#include "plumb/space/pairs/posed_pairs.hpp"
-#include "plumb/space/ray/posed_ray.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
+#include "plumb/space/ray/mesh_ray.hpp"
 
 namespace plumb {
 
@@ -34,9 +35,7 @@ struct LastPair {
   std::uint32_t slot_a = no_triangle, slot_b = no_triangle;
 };
 
-std::optional<TrianglePair> any_intersecting_pair(const Bvh& a, const Bvh& b, LastPair& last,
-                                                  const PairOptions& options = {});
-std::optional<TrianglePair> any_intersecting_pair(const PosedMesh& a, const PosedMesh& b, LastPair& last,
+std::optional<TrianglePair> any_intersecting_pair(const BvhView& a, const BvhView& b, LastPair& last,
                                                   const PairOptions& options = {});
 
 std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, LastTriangle& last);
@@ -47,6 +46,6 @@ std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, La
 std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last,
                                                   const ClosestPairOptions& options = {});
 
-bool hits(const AnyRay& ray, const Bvh& bvh, LastTriangle& last, HitRule rule = HitRule::closed);
+bool any_hit(const Bvh& bvh, const AnyRay& ray, LastTriangle& last, HitRule rule = HitRule::closed);
 
 }  // namespace plumb

@@ -6,7 +6,7 @@
 // The pairs of nodes at which a descent ends, because their boxes are apart or both are leaves, are its front.  It is
 // looked through instead of the descent: pairs whose boxes have met since are replaced by what is below them, and two
 // whose parents' boxes have parted by the pair of their parents.
-// Laws: (1) the answers are those of intersecting_pairs and self_intersecting_pairs, exactly and in their order, of any
+// Laws: (1) the answers are those of intersecting_pairs, of one mesh too, exactly and in their order, of any
 // meshes in any frame: refitted, posed, built anew or others.  Where a tree no longer divides as it did above the
 // front, the descent begins at the roots again.  (2) So it does where the front has become the longer way: where it is
 // three times what a descent left it at, or the parents of half of it are apart.  (3) The front depends on what it
@@ -28,7 +28,7 @@
 
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "plumb/space/coherence/visit_stamps.hpp"
-#include "plumb/space/pairs/posed_pairs.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
 
 namespace plumb {
 
@@ -65,14 +65,11 @@ struct Front {
 
 class PairFront {
  public:
-  std::vector<TrianglePair> intersecting_pairs(const Bvh& a, const Bvh& b, const PairOptions& options = {},
+  std::vector<TrianglePair> intersecting_pairs(const BvhView& a, const BvhView& b, const PairOptions& options = {},
                                                std::vector<TrianglePair> rows = {});
-  std::vector<TrianglePair> intersecting_pairs(const PosedMesh& a, const PosedMesh& b, const PairOptions& options = {},
+  /// Of one with itself.
+  std::vector<TrianglePair> intersecting_pairs(const BvhView& mesh, const PairOptions& options = {},
                                                std::vector<TrianglePair> rows = {});
-  std::vector<TrianglePair> self_intersecting_pairs(const Bvh& mesh, const PairOptions& options = {},
-                                                    std::vector<TrianglePair> rows = {});
-  std::vector<TrianglePair> self_intersecting_pairs(const PosedMesh& mesh, const PairOptions& options = {},
-                                                    std::vector<TrianglePair> rows = {});
 
   /// Pairs of nodes in it.
   [[nodiscard]] std::size_t size() const { return front_.pairs.size(); }

@@ -24,15 +24,14 @@
 
 #include <limits>
 
+#include "plumb/space/bvh/walked_cells.hpp"
 #include "plumb/space/grid/cell_grid.hpp"
 
 namespace plumb {
 
-enum class WalkedCells : unsigned char { half_open, closed };
-
 template <std::size_t n>
 struct GridWalkOptions {
-  WalkedCells cells = WalkedCells::half_open;
+  WalkedCells cells = WalkedCells::closed;
   CellRange<n> range = {};
 };
 

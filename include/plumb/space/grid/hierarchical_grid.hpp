@@ -4,7 +4,7 @@
 //   HierarchicalGrid3 grid;
 //   const std::uint32_t handle = grid.insert(box);       // at the level whose cells are about as large as it is
 //   grid.move(handle, other);   grid.remove(handle);
-//   grid.pairs();   grid.in_box(box);
+//   grid.overlapping_pairs();   grid.in_box(box);
 //
 // Cells of level e are of size 2^e.  A box is at the lowest level at which it reaches into no more than two cells along
 // each axis, in the list of the cell that holds its min.  So what overlaps it at its own and higher levels is in the
@@ -41,7 +41,8 @@ class HierarchicalGrid {
   void remove(std::uint32_t handle);
   void move(std::uint32_t handle, const Box& box);
 
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(const BoxPairOptions& options = {},
+                                                       std::vector<BoxPair> rows = {}) const;
   /// Ascending.
   [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
                                                   std::vector<std::uint32_t> rows = {}) const;

@@ -3,7 +3,7 @@
 //   ImplicitGrid3 grid(2.0);                             // cells of size 2
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
-//   grid.pairs();   grid.in_box(box);
+//   grid.overlapping_pairs();   grid.in_box(box);
 //
 // Laws: those of list_grid.hpp; pairs ascend by a, then b.
 // Errors are those of list_grid.hpp; a number of rows that is no power of two throws InvalidShape.
@@ -37,7 +37,8 @@ class ImplicitGrid {
   void remove(std::uint32_t handle);
   void move(std::uint32_t handle, const Box& box);
 
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(const BoxPairOptions& options = {},
+                                                       std::vector<BoxPair> rows = {}) const;
   /// Ascending.
   [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
                                                   std::vector<std::uint32_t> rows = {}) const;

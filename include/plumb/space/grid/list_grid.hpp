@@ -4,7 +4,7 @@
 //   LinkedGrid3 within(world, 2.0);                      // an array of cells; what is beyond the world is in the last
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
-//   grid.pairs()                                         // all at a time
+//   grid.overlapping_pairs()                                         // all at a time
 //   grid.in_box(box, seen)                               // one at a time; seen: VisitStamps, VisitBits, or nothing
 //
 // A box is in the list of each cell that it reaches into.  The lists of LinkedGrid are those of an array of cells, of
@@ -51,7 +51,8 @@ class ListGrid {
   void remove(std::uint32_t handle);
   void move(std::uint32_t handle, const Box& box);
 
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(const BoxPairOptions& options = {},
+                                                       std::vector<BoxPair> rows = {}) const;
   /// Ascending.  Stamps and bits are made to fit.
   [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
                                                   std::vector<std::uint32_t> rows = {}) const;

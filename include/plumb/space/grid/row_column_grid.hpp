@@ -4,7 +4,7 @@
 //   RowColumnGrid3 grid;
 //   const std::uint32_t handle = grid.insert(box);
 //   grid.move(handle, other);   grid.remove(handle);
-//   grid.pairs();   grid.in_box(box);
+//   grid.overlapping_pairs();   grid.in_box(box);
 //
 // Levels are those of hierarchical_grid.hpp; at each there is an implicit grid (implicit_grid.hpp) of the boxes that
 // are at it.  A box sets two bits along each axis at most.  Nothing is hashed, and what a large box overlaps of a
@@ -40,7 +40,8 @@ class RowColumnGrid {
   void remove(std::uint32_t handle);
   void move(std::uint32_t handle, const Box& box);
 
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(const BoxPairOptions& options = {},
+                                                       std::vector<BoxPair> rows = {}) const;
   /// Ascending.
   [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
                                                   std::vector<std::uint32_t> rows = {}) const;

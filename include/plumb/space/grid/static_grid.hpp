@@ -1,7 +1,7 @@
 // Broad phase (static uniform grid): which of many boxes that do not change overlap?  Cells are slices of one array.
 //
 //   const StaticGrid3 grid(boxes);                       // options.cell_size, or what choose_cell_size says
-//   for (const BoxPair& p : grid.pairs()) use(p.a, p.b);
+//   for (const BoxPair& p : grid.overlapping_pairs()) use(p.a, p.b);
 //   grid.in_box(box)                                    // the numbers of those that overlap one, ascending
 //
 // A counting sort: how many boxes reach into each cell, where each slice begins, and then the numbers themselves.
@@ -32,7 +32,8 @@ class StaticGrid {
   explicit StaticGrid(std::span<const Box> boxes, const GridOptions& options = {});
 
   /// All at a time.
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(const BoxPairOptions& options = {},
+                                                       std::vector<BoxPair> rows = {}) const;
   /// One at a time.
   [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
                                                   std::vector<std::uint32_t> rows = {}) const;

@@ -15,7 +15,7 @@
 // have in common: that one cell tells of them.  (3) Cells, trees and the order of pairs depend on the boxes and the
 // options alone, not on the number of threads.  (4) nearest answers as in nearest_figure.hpp.
 // A number that is NaN or infinite throws NonFinite, an empty box, options out of range and more boxes than are
-// numbered InvalidShape, as do more neighbors than there are boxes, and a grid that would take more than
+// numbered InvalidShape, as do the nearest of no boxes, and a grid that would take more than
 // options.grid.most_memory Error.  To ask with an empty box tells nothing.
 // Source: RTCD 7.3.8; the lowest corner as in Dittrich and Seeger 2000.
 // Cost: that of its parts (docs/nearest.md); a box that reaches into many cells is kept in each.  nearest asks for

@@ -9,8 +9,9 @@
 // that of a search through all figures.  A box, and a triangle of the plane, holds its inside, whose points are at
 // distance 0.  (2) A distance is the double nearest to the exact one, as of distance(p, figure).  (3) A batch answers
 // each query as it is answered alone, on every number of threads.
-// Of no figures, and of more than there are, InvalidShape is thrown; where `out` has not the batch's length,
-// UnequalLengths; of a coordinate that is NaN or infinite NonFinite, which names the query.
+// (4) Of the k nearest there are as many as there are figures, where these are fewer.
+// The nearest of no figures, and a batch of more than there are, throw InvalidShape; where `out` has not the batch's
+// length, UnequalLengths; of a coordinate that is NaN or infinite NonFinite, which names the query.
 // Source: RTCD 5.1.2, 5.1.3, 5.1.5, 6.3.2; branch and bound as in Roussopoulos, Kelley and Vincent 1995.
 // Cost: log n where figures are scattered: docs/nearest.md.  A bound for each child of a node that is entered, rounded
 // down; a distance for each figure whose box may be nearer; microseconds for a tie of figures that have not their

@@ -3,8 +3,9 @@
 // Laws: (1) nearer in real arithmetic comes first, of equally near points that of the lower number; so the answer is
 // that of a search through all points, and depends neither on the tree nor on threads or instruction sets.  (2) A
 // distance is the double nearest to the exact one.  (3) A batch answers each query as it is answered alone.
-// Of no points, and of more than there are, InvalidShape is thrown; where `out` has not the batch's length,
-// UnequalLengths; of a coordinate that is NaN or infinite NonFinite, which names the query.
+// (4) Of the k nearest there are as many as there are points, where these are fewer.
+// The nearest of no points, and a batch of more than there are, throw InvalidShape; where `out` has not the batch's
+// length, UnequalLengths; of a coordinate that is NaN or infinite NonFinite, which names the query.
 // Source: RTCD 7.3.7; Friedman, Bentley, Finkel 1977.
 // Cost: log n where points are scattered.  Squares of distances in lanes of doubles with derived bounds; exact
 // comparisons among points that these leave equally near (docs/nearest.md).  Bounded by n log n operations a point, on

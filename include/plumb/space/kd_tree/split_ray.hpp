@@ -23,10 +23,10 @@ namespace plumb {
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree,
                                        const typename SplitTree<Figure>::Segment& segment,
-                                       KdCells cells = KdCells::closed, std::vector<std::uint32_t> rows = {});
+                                       WalkedCells cells = WalkedCells::closed, std::vector<std::uint32_t> rows = {});
 template <KeptFigure Figure>
 std::vector<std::uint32_t> cells_along(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray,
-                                       KdCells cells = KdCells::closed, std::vector<std::uint32_t> rows = {});
+                                       WalkedCells cells = WalkedCells::closed, std::vector<std::uint32_t> rows = {});
 
 template <KeptFigure Figure>
 struct FigureHit {
@@ -47,8 +47,8 @@ std::optional<FigureHit<Figure>> first_hit(const SplitTree<Figure>& tree, const 
 
 /// Whether there is one: the search ends at the first that is found.
 template <ShotAtFigure Figure>
-bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Segment& segment);
+bool any_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Segment& segment);
 template <ShotAtFigure Figure>
-bool hits(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray);
+bool any_hit(const SplitTree<Figure>& tree, const typename SplitTree<Figure>::Ray& ray);
 
 }  // namespace plumb

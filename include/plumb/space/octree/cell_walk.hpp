@@ -1,11 +1,11 @@
 // Octree traversal, ray walk: which leaves does a ray or a segment go through, in order?
 //
-//   for (const std::uint32_t leaf : cells_along(tree.cells, Segment3{a, b}, CellWalk::closed)) ...
-//   CellWalker<3> walk(tree.cells, ray, CellWalk::half_open);                  // one leaf after the other
+//   for (const std::uint32_t leaf : cells_along(tree.cells, Segment3{a, b}, WalkedCells::closed)) ...
+//   CellWalker<3> walk(tree.cells, ray, WalkedCells::half_open);               // one leaf after the other
 //   for (std::uint32_t leaf = walk.next(); leaf != no_cell; leaf = walk.next()) ...
 //
-// Laws: (1) CellWalk::half_open: exactly the leaves that hold a point of it, where a cell has its lower borders and not
-// its upper ones: each point of it in the root is in one leaf.  They ascend along the ray.  (2) CellWalk::closed:
+// Laws: (1) WalkedCells::half_open: exactly the leaves that hold a point of it, where a cell has its lower borders and not
+// its upper ones: each point of it in the root is in one leaf.  They ascend along the ray.  (2) WalkedCells::closed:
 // exactly the leaves whose closed cells it touches, in a face, an edge or a corner too.  They ascend by where it comes
 // to them first, those that it comes to at one place by their codes, in Morton order.  (3) A ray without a direction,
 // and a segment of one point, is that point.  (4) Nothing beyond the last leaf that was taken is looked
@@ -17,11 +17,10 @@
 // comparisons for n cells, the order along the way, on integers as long as the exponents' span.
 #pragma once
 
+#include "plumb/space/bvh/walked_cells.hpp"
 #include "plumb/space/octree/cell_tree.hpp"
 
 namespace plumb {
-
-enum class CellWalk : unsigned char { half_open, closed };
 
 namespace space {
 
@@ -46,8 +45,9 @@ template <std::size_t D>
 class CellWalker {
  public:
   /// The tree must outlive it.
-  CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk);
-  CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment, CellWalk walk);
+  CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, WalkedCells walk = WalkedCells::closed);
+  CellWalker(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment,
+             WalkedCells walk = WalkedCells::closed);
 
   /// no_cell behind the last.
   std::uint32_t next();
@@ -64,15 +64,15 @@ class CellWalker {
 
   const CellTree<D>* tree_;
   space::CellWay<D> way_;
-  CellWalk walk_;
+  WalkedCells walk_;
   std::vector<Waiting> waiting_;  // half open: the next one last; closed: a heap
 };
 
 template <std::size_t D>
-std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray, CellWalk walk,
-                                       std::vector<std::uint32_t> rows = {});
+std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Ray& ray,
+                                       WalkedCells walk = WalkedCells::closed, std::vector<std::uint32_t> rows = {});
 template <std::size_t D>
 std::vector<std::uint32_t> cells_along(const CellTree<D>& tree, const typename CellKinds<D>::Segment& segment,
-                                       CellWalk walk, std::vector<std::uint32_t> rows = {});
+                                       WalkedCells walk = WalkedCells::closed, std::vector<std::uint32_t> rows = {});
 
 }  // namespace plumb

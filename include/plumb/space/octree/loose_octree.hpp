@@ -3,7 +3,7 @@
 //   LooseOctree tree(Aabb3{{0, 0, 0}, {100, 100, 100}});    // the world; what lies outside is found as well
 //   const std::uint32_t handle = tree.insert(box);
 //   tree.move(handle, elsewhere);
-//   tree.in_box(region);  tree.pairs();                     // by their handles
+//   tree.in_box(region);  tree.overlapping_pairs();         // by their handles
 //   tree.remove(handle);
 //
 // A loose cell begins where the cell does and has twice its side.  A box is in the smallest cell whose loose one holds
@@ -51,7 +51,8 @@ class LooseCells {
 
   [[nodiscard]] std::vector<std::uint32_t> in_box(const Box& box, const InBoxOptions& options = {},
                                                   std::vector<std::uint32_t> rows = {}) const;
-  [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options = {}, std::vector<BoxPair> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(const BoxPairOptions& options = {},
+                                                       std::vector<BoxPair> rows = {}) const;
 
  private:
   struct Cell {

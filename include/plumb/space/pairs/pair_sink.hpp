@@ -35,7 +35,9 @@ class PairsInSpan {
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] bool all_fit() const { return count_ <= memory_.size(); }
   /// Those that were kept.
-  [[nodiscard]] std::span<BoxPair> pairs() const { return memory_.first(all_fit() ? count_ : memory_.size()); }
+  [[nodiscard]] std::span<BoxPair> overlapping_pairs() const {
+    return memory_.first(all_fit() ? count_ : memory_.size());
+  }
 
  private:
   std::span<BoxPair> memory_;

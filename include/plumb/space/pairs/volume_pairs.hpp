@@ -7,7 +7,7 @@
 //   intersecting_pairs(VolumeMesh{moved, a_moved}, VolumeMesh{mesh_b, b});
 //   pair_work(...)        // how many tests of volumes and triangles that takes
 //
-// Laws: the answers are those of intersecting_pairs without volumes (mesh_pairs.hpp, posed_pairs.hpp), whatever the
+// Laws: the answers are those of intersecting_pairs without volumes (mesh_pairs.hpp), whatever the
 // volumes.  Of a tree that is not one of its mesh, or that does not enclose it, nothing is promised; the first throws
 // InvalidShape where its shape tells.
 // Source: RTCD 6.1.2, 6.3.3, 6.4.

@@ -1,8 +1,8 @@
 // Which triangles of a mesh does a figure meet, by a tree of any volume?  A ray, a line, a box, a ball, a triangle, a
 // convex polyhedron: whatever `intersects` takes beside the volume and beside a triangle.
 //
-//   triangles_meeting(bvh, build_volume_tree<Obb3>(bvh), Ray3{{0, 0, 9}, {0, 0, -1}})
-//   triangles_meeting(bvh, spheres, Tetrahedron3{a, b, c, d})
+//   meeting(bvh, build_volume_tree<Obb3>(bvh), Ray3{{0, 0, 9}, {0, 0, -1}})
+//   meeting(bvh, spheres, Tetrahedron3{a, b, c, d})
 //
 // Who calls it includes plumb/query.hpp, or those headers of it that have `intersects` of the pairs asked.
 // Laws: the numbers, ascending, of exactly those triangles for which intersects(triangle, figure) is true, whatever the
@@ -27,9 +27,9 @@ void make_ascending(std::vector<std::uint32_t>& numbers);
 }  // namespace space
 
 template <class Volume, class Shape>
-requires(RelatedPair<Shape, Volume>&& RelatedPair<Triangle3, Shape>) std::vector<std::uint32_t> triangles_meeting(
+requires(RelatedPair<Shape, Volume>&& RelatedPair<Triangle3, Shape>) std::vector<std::uint32_t> meeting(
     const Bvh& mesh, const VolumeTree<Volume>& volumes, const Shape& figure, std::vector<std::uint32_t> rows = {}) {
-  space::require_tree_of("triangles_meeting", "volumes", mesh, volumes);
+  space::require_tree_of("meeting", "volumes", mesh, volumes);
   rows.clear();
   descend(
       volumes, [&](const VolumeNode<Volume>& node) { return intersects(figure, node.volume); },

@@ -2,7 +2,7 @@
 // user.
 //
 //   const BoxTree tree = build_box_tree(boxes);      // boxes[i] contains shapes[i]
-//   const auto hit = first_item_hit(ray, tree, [&](std::uint32_t i) { return first_hit_parameter(ray, shapes[i]); });
+//   const auto hit = first_hit(tree, ray, [&](std::uint32_t i) { return first_hit_parameter(ray, shapes[i]); });
 //
 // `parameter(item)` is the exact parameter at which the ray hits the item, or nothing: a std::optional of any number
 // that compares and that a limit can be made of (RayParameter, double).  It is asked of items whose boxes the ray may
@@ -48,7 +48,7 @@ using ParameterOf = typename std::invoke_result_t<Question&, std::uint32_t>::val
 }  // namespace space
 
 template <class Question>
-auto first_item_hit(const AnyRay& ray, const BoxTree& tree, Question&& parameter) {
+auto first_hit(const BoxTree& tree, const AnyRay& ray, Question&& parameter) {
   using Found = ItemHit<space::ParameterOf<Question>>;
   std::optional<Found> best;
   const RaySlabs slabs(ray, tree);
@@ -68,27 +68,27 @@ auto first_item_hit(const AnyRay& ray, const BoxTree& tree, Question&& parameter
   return best;
 }
 
-/// Is any hit?  `hits(item)` says whether one is.
+/// Is any hit?  `is_hit(item)` says whether one is.
 template <class Question>
-bool any_item_hit(const AnyRay& ray, const BoxTree& tree, Question&& hits) {
+bool any_hit(const BoxTree& tree, const AnyRay& ray, Question&& is_hit) {
   const RaySlabs slabs(ray, tree);
   const double limit = slabs.limit();
   return descend(
              tree, [&](const BoxNode& node) { return !(slabs(node) > limit); },
              [&](std::uint32_t first, std::uint32_t count) {
                for (std::uint32_t slot = first; slot < first + count; ++slot) {
-                 if (hits(tree.items[slot])) return Descent::stop;
+                 if (is_hit(tree.items[slot])) return Descent::stop;
                }
                return Descent::go_on;
              }) == Descent::stop;
 }
 
 template <class Question>
-auto ordered_item_hits(const AnyRay& ray, const BoxTree& tree, Question&& parameter) {
+auto hits(const BoxTree& tree, const AnyRay& ray, Question&& parameter) {
   using Found = ItemHit<space::ParameterOf<Question>>;
   const auto later = [](const Found& a, const Found& b) { return space::is_before(b, a); };
   std::priority_queue<Found, std::vector<Found>, decltype(later)> found(later);
-  (void)any_item_hit(ray, tree, [&](std::uint32_t item) {
+  (void)any_hit(tree, ray, [&](std::uint32_t item) {
     if (auto t = parameter(item)) found.push({item, std::move(*t)});
     return false;
   });

@@ -1,12 +1,12 @@
 // Ray cast against a mesh by a tree of spheres, oriented boxes or k-DOPs: which triangle first, is any hit?
 //
 //   const auto spheres = build_volume_tree<Sphere3>(bvh);
-//   if (const auto hit = first_hit(Ray3{eye, direction}, VolumeMesh{bvh, spheres})) ...
+//   if (const auto hit = first_hit(VolumeMesh{bvh, spheres}, Ray3{eye, direction})) ...
 //   const PosedMesh moved{bvh, pose};
 //   const auto around = posed_volume_tree(moved, spheres);
-//   hits(ray, VolumeMesh{moved, around})
+//   any_hit(VolumeMesh{moved, around}, ray)
 //
-// Laws: the answers are those of mesh_ray.hpp and posed_ray.hpp, whatever the volumes: a volume is left out where
+// Laws: the answers are those of mesh_ray.hpp, whatever the volumes: a volume is left out where
 // intervals that contain every real result prove that the ray does not meet it, or not before a triangle that is hit.
 // Of a tree that does not enclose its mesh nothing is promised; one whose shape is another's throws InvalidShape.  A ray
 // or a pose that is NaN or infinite throws NonFinite.
@@ -23,9 +23,9 @@ namespace plumb {
 
 /// Of the volumes Sphere3, Aabb3, Obb3 and KDop3.
 template <class Volume>
-std::optional<NumberedHit> first_hit(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule = HitRule::closed);
+std::optional<NumberedHit> first_hit(const VolumeMesh<Volume>& mesh, const AnyRay& ray, HitRule rule = HitRule::closed);
 
 template <class Volume>
-bool hits(const AnyRay& ray, const VolumeMesh<Volume>& mesh, HitRule rule = HitRule::closed);
+bool any_hit(const VolumeMesh<Volume>& mesh, const AnyRay& ray, HitRule rule = HitRule::closed);
 
 }  // namespace plumb

@@ -1,7 +1,7 @@
 // Sort and sweep (sweep and prune) for coherent motion: boxes that move little keep nearly the same order along an axis.
 //
 //   SweepArray sweep;
-//   for (each frame) use(sweep.pairs(boxes));      // the same boxes, moved
+//   for (each frame) use(sweep.overlapping_pairs(boxes));      // the same boxes, moved
 //   sweep.steps()                                  // of the insertion sort in the last frame
 //
 // Laws: (1) pairs(boxes) are those of sort_and_sweep_pairs along the same axis, in the same order, whatever came before.
@@ -33,7 +33,7 @@ class SweepArray {
   ~SweepArray();
 
   /// Valid until the next call.
-  const std::vector<BoxPair>& pairs(std::span<const Aabb3> boxes);
+  const std::vector<BoxPair>& overlapping_pairs(std::span<const Aabb3> boxes);
 
   [[nodiscard]] SweepAxis axis() const;
   [[nodiscard]] std::size_t steps() const;

@@ -3,7 +3,7 @@
 //   SweepLists lists;                            // a list along each axis; {.axes = 1} along one
 //   const std::uint32_t a = lists.insert(box);
 //   lists.move(a, moved);   lists.remove(a);
-//   lists.pairs()
+//   lists.overlapping_pairs()
 //
 // The starts and ends of all boxes stand in a list along each axis.  Where a start passes an end, the two boxes begin
 // or cease to overlap along the axis; pairs are looked at there and nowhere else.
@@ -45,7 +45,7 @@ class SweepLists {
 
   [[nodiscard]] bool contains(std::uint32_t number) const;
   [[nodiscard]] std::size_t size() const;
-  [[nodiscard]] std::vector<BoxPair> pairs(std::vector<BoxPair> rows = {}) const;
+  [[nodiscard]] std::vector<BoxPair> overlapping_pairs(std::vector<BoxPair> rows = {}) const;
   /// Starts and ends that were passed since the lists were made.
   [[nodiscard]] std::size_t steps() const;
 
