@@ -24,13 +24,13 @@ struct Support3;
 PLUMB_NO_ANSWER(Relation,
                 "plumb: relate takes two figures of one space, the pairs of docs/overlap.md (include "
                 "<plumb/query.hpp>); of meshes ask intersecting_pairs(build_bvh(a), build_bvh(b)), of a mesh and a "
-                "figure triangles_meeting(build_bvh(mesh), figure)")
+                "figure meeting(build_bvh(mesh), figure)")
 relate(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(bool,
                 "plumb: intersects takes two figures of one space, the pairs of docs/overlap.md (include "
                 "<plumb/query.hpp>); of meshes ask any_intersecting_pair(build_bvh(a), build_bvh(b)), of a mesh and a "
-                "figure triangles_meeting(build_bvh(mesh), figure)")
+                "figure meeting(build_bvh(mesh), figure)")
 intersects(PLUMB_ANYTHING) PLUMB_DELETED;
 
 template <class A, class B>

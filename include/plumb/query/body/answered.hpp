@@ -44,17 +44,17 @@ concept Intersectable = requires(const A& a, const B& b) {
 PLUMB_NO_ANSWER(
     std::optional<Hit>,
     "plumb: first_hit takes a line, ray or segment and then a figure of its space, the pairs of docs/rays.md, a "
-    "TriangleMesh or a TriangleBatch; of many rays at a mesh ask first_hit(ray, build_bvh(mesh))")
+    "TriangleMesh or a TriangleBatch; of many rays at a mesh ask first_hit(build_bvh(mesh), ray)")
 first_hit(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(std::optional<RayParameter>,
                 "plumb: first_hit_parameter takes a line, ray or segment and then a figure of its space, the pairs of "
-                "docs/rays.md; of a mesh ask first_hit(ray, build_bvh(mesh))")
+                "docs/rays.md; of a mesh ask first_hit(build_bvh(mesh), ray)")
 first_hit_parameter(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(bool,
                 "plumb: hits takes a line, ray or segment and then a figure of its space, the pairs of docs/rays.md; "
-                "of a mesh ask first_hit(ray, build_bvh(mesh))")
+                "of a mesh ask first_hit(build_bvh(mesh), ray)")
 hits(PLUMB_ANYTHING) PLUMB_DELETED;
 
 template <class Straight, class Shape>
