@@ -83,7 +83,7 @@ std::optional<FigureHit<Figure>> first_hit_along(const SplitTree<Figure>& tree, 
 
 template <class Figure, class Way>
 bool hits_along(const SplitTree<Figure>& tree, const Way& way) {
-  const auto path = checked_path("hits", way);
+  const auto path = checked_path("any_hit", way);
   bool found = false;
   if (tree.nodes.empty()) return found;
   SplitWalk<Figure>({tree.nodes}, path, WalkedCells::half_open).each_leaf([&](std::size_t leaf, const Place&) {
