@@ -16,8 +16,8 @@
 #include "plumb/space/bvh/bvh.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "query/overlap/posed_triangles.hpp"
-#include "space/bvh/posed_places.hpp"
 #include "space/closest/nearby_triangle.hpp"
+#include "space/closest/posed_places.hpp"
 
 namespace plumb::space {
 

@@ -10,7 +10,7 @@
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "space/bvh/pair_parts.hpp"
 #include "space/bvh/parts.hpp"
-#include "space/bvh/posed_places.hpp"
+#include "space/closest/posed_places.hpp"
 #include "space/pairs/pair_search.hpp"
 #include "space/pairs/posed_leaf_pairs.hpp"
 

@@ -10,7 +10,7 @@
 // (space/bvh/posed_mesh.hpp).
 // Numbers that are no shape throw as intersects does ("intersects: sphere.radius is nan, ..."), of an empty mesh too;
 // progress may stop a batch.
-// Source: RTCD 6.3.1, 5.2.
+// Source: RTCD 3.2, 4.2.6, 5.2, 6.3.1.
 // Cost: one exact test of box against shape for each child of a node that is entered, of a convex region one for each
 // halfspace; intersects for the triangles of leaves, a corner's location first; under a pose some 100 ns more for each
 // node, and below a microsecond for a triangle that doubles decide.  Bounded by n tests of triangles, on
