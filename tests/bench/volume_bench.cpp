@@ -100,7 +100,7 @@ void add_spheres(const std::string& name, const std::shared_ptr<Scene>& scene, S
     const SphereTreeOptions options{cover, 6};
     for (auto _ : state) benchmark::DoNotOptimize(build_sphere_tree(scene->bvh, options).nodes.size());
     const SphereTree tree = build_sphere_tree(scene->bvh, options);
-    const SphereTree other = transform(tree, {identity_pose.columns, {0, 0, 1.5 * scene->size}});
+    const SphereTree other = transform(tree, Pose{identity_pose.columns, {0, 0, 1.5 * scene->size}});
     double sum = 0;
     for (const SphereNode& n : tree.level(tree.levels() - 1)) sum += n.sphere.radius;
     const auto last = static_cast<double>(tree.level(tree.levels() - 1).size());

@@ -47,8 +47,12 @@ Vector3 mapped(const std::array<Vector3, 3>& c, const Vector3& v) {
           c[0].z * v.x + c[1].z * v.y + c[2].z * v.z};
 }
 Turned turned(const RigidPose& r) {
-  const TurnMatrix matrix = *exact_matrix(r.turn);
-  return {r, {matrix.columns, times(r.translation, matrix.weight)}, matrix.weight};
+  const auto& [w, x, y, z] = r.turn;  // small integers, whose products are doubles
+  const double weight = w * w + x * x + y * y + z * z;
+  const std::array<Vector3, 3> columns{{{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
+                                        {2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
+                                        {2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z}}};
+  return {r, {columns, times(r.translation, weight)}, weight};
 }
 Turned turned(Material& m) {
   if (m.below(3) != 0) return turned(lattice_turn(m));
