@@ -78,7 +78,7 @@ void expect_near(double large, double weight, double given) {
 
 TEST(RigidMesh, IsHitByRaysWhereTheWeightedMeshIs) {
   long hit = 0;
-  shape_cases::on_shapes(4401, battery::fitting(300), [&](Material& m) {
+  shape_cases::on_shapes(4401, battery::fitting(2000), [&](Material& m) {
     const Bvh bvh = build_bvh(lattice_mesh(m));
     const CompactBvh small_bvh = compact(bvh);
     const Turned t = turned(m);
@@ -117,7 +117,7 @@ TEST(RigidMesh, IsHitByRaysWhereTheWeightedMeshIs) {
 
 TEST(RigidMesh, HoldsThePointsThatTheWeightedMeshHolds) {
   std::array<long, 3> told{};
-  shape_cases::on_shapes(4402, battery::fitting(300), [&](Material& m) {
+  shape_cases::on_shapes(4402, battery::fitting(6000), [&](Material& m) {
     const Point3 a = lattice_point(m), b = lattice_point(m), c = lattice_point(m), d = lattice_point(m);
     const Bvh bvh = build_bvh(TriangleMesh{{a, b, c, d}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}});
     const Turned t = turned(m);
@@ -160,7 +160,7 @@ TEST(RigidMesh, MeetsTheFiguresThatTheWeightedMeshMeets) {
 
 TEST(RigidMesh, MeetsTheTrianglesThatTheWeightedMeshMeets) {
   long met = 0;
-  shape_cases::on_shapes(4404, battery::fitting(200), [&](Material& m) {
+  shape_cases::on_shapes(4404, battery::fitting(1500), [&](Material& m) {
     const Bvh a = build_bvh(lattice_mesh(m)), b = build_bvh(lattice_mesh(m));
     const Turned s = turned(m), t = turned(m);
     const PosedMesh large_a{a, larger(s, t.weight)}, large_b{b, larger(t, s.weight)};
