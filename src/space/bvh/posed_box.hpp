@@ -80,7 +80,8 @@ inline Approximate approximate(const Interval& x) {
 inline Aabb3 around_rigidly(const MeshPose& pose, const Aabb3& box) {
   const Interval x(box.min.x, box.max.x), y(box.min.y, box.max.y), z(box.min.z, box.max.z);
   const auto on = [&](std::size_t i) {
-    const auto& [u, v, w, shift] = pose.rows()[i];
+    const auto& row = pose.rows()[i];
+    const Interval &u = row[0], &v = row[1], &w = row[2], &shift = row[3];
     const auto has_sign = [](const Interval& factor) { return factor.lower >= 0 || factor.upper <= 0; };
     if (!has_sign(u) || !has_sign(v) || !has_sign(w)) return u * x + v * y + w * z + shift;
     const Approximate a = approximate(u), b = approximate(v), c = approximate(w), d = approximate(shift);
