@@ -90,7 +90,7 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) {
        (void)relate(Polygon3{{c.a[0], c.a[1], c.a[2]}}, Polygon3{{c.b[0], c.b[1], c.b[2]}});
      }},
-    {"relate, posed boxes", "query/overlap/posed.hpp", quadratic, 50,
+    {"relate, posed boxes", "query/overlap/posed.hpp", quadratic, 80,
      [](const Cloud& c) {
        (void)relate(Posed{box(c.a), pose(c.b)}, Posed{box(c.b), pose(c.a)});
      }},
