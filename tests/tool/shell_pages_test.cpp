@@ -50,8 +50,8 @@ TEST(ManualPages, AreSoundAndHaveTheWordsOfTheHelp) {
 TEST(ManualPages, NameTheFormatsThatAreReadOnce) {
   const std::string all = "OBJ, OFF, STL, PLY, 3MF, glTF";
   EXPECT_THAT(run("$PLUMB help check").out, HasSubstr(all));
-  for (const std::string command :
-       {"bounds", "bvh", "plan", "section", "convert", "intersect", "distance", "inside", "nearest", "pairs", "repair"}) {
+  for (const std::string command : {"bounds", "bvh", "plan", "section", "convert", "intersect", "distance", "inside",
+                                    "nearest", "pairs", "repair"}) {
     EXPECT_THAT(run("$PLUMB help " + command).out,
                 AllOf(HasSubstr("as `plumb check`"), Not(HasSubstr("PLY; text or binary"))))
         << command;
