@@ -130,7 +130,7 @@ TEST(Components, EachOpenEdgeIsInOneLoop) {
   std::size_t open = 0, chains = 0, loops = 0;
   for (std::uint32_t seed = 0; seed < 400; ++seed) {
     std::mt19937 random(seed);
-    TriangleMesh mesh = abstract(4 + random() % 9, {});
+    TriangleMesh mesh = abstract(4 + static_cast<std::uint32_t>(random() % 9), {});
     mesh.triangles.resize(1 + random() % 20);
     for (auto& t : mesh.triangles)
       for (auto& v : t) v = static_cast<std::uint32_t>(random() % mesh.vertices.size());

@@ -94,9 +94,12 @@ TEST(Repair, EachPlantedFaultIsMended) {
       const Repaired done = repair(mesh);
       expect_sound(done);
       EXPECT_FALSE(done.changes.empty());
-      if (fault != "wide hole" && fault != "T-junction" && fault != "inside out")
+      if (fault != "wide hole" && fault != "T-junction" && fault != "inside out") {
         EXPECT_EQ(triangles_of(done.mesh), whole) << "as it was before";
-      if (fault == "inside out") EXPECT_EQ(count(done, ChangeKind::turned_shell), seed % 2 == 0 ? 1U : 2U);
+      }
+      if (fault == "inside out") {
+        EXPECT_EQ(count(done, ChangeKind::turned_shell), seed % 2 == 0 ? 1U : 2U);
+      }
       EXPECT_EQ(triangles_of(repair(shuffled(mesh, random), {.execution = Execution::serial}).mesh),
                 triangles_of(done.mesh));
     }

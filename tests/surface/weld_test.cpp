@@ -124,9 +124,11 @@ TEST(Weld, HangsOnNoOrderAndKeepsItsLaws) {
     for (std::uint32_t v = 0; v < weld.into.size(); ++v) {
       EXPECT_EQ(weld.into[weld.into[v]], weld.into[v]);
       if (rule == WeldRule::clusters) {
-        for (std::uint32_t w = 0; w < v; ++w)
-          if (weld.into[v] == weld.into[w])
+        for (std::uint32_t w = 0; w < v; ++w) {
+          if (weld.into[v] == weld.into[w]) {
             EXPECT_NE(compare_distance(mesh.vertices[v], mesh.vertices[w], tolerance), Sign::positive);
+          }
+        }
       }
       merged += weld.into[v] != v;
     }
@@ -135,7 +137,9 @@ TEST(Weld, HangsOnNoOrderAndKeepsItsLaws) {
       for (std::uint32_t v = 0; v < weld.into.size(); ++v) {
         for (std::uint32_t w = 0; w < v; ++w) {
           const bool near = compare_distance(mesh.vertices[v], mesh.vertices[w], tolerance) != Sign::positive;
-          if (near) EXPECT_EQ(weld.into[v], weld.into[w]);
+          if (near) {
+            EXPECT_EQ(weld.into[v], weld.into[w]);
+          }
           apart += weld.into[v] != weld.into[w];
         }
       }

@@ -56,7 +56,7 @@ bool is_near(double computed, const mpq_class& exact, double doubt) {
 /// Of every triangle; false where the ray is not seen.
 bool expect_near(const AnyRay& ray, const TriangleMesh& mesh, const Bvh& bvh, const Pose& pose,
                  const std::string& about) {
-  const auto seen = space::Sight({bvh, pose})(ray);
+  const auto seen = space::Sight(PosedMesh{bvh, pose})(ray);
   if (!seen) return false;
   const bool segment = ray.kind == AnyRay::Kind::segment;
   const Exact from = moved_back(pose, less(exact(ray.origin), exact(pose.translation)));
@@ -108,7 +108,7 @@ TEST(SeenRay, IsSeenThroughATurnAndHardlyInDoubt) {
   on_shapes(1722, battery::fitting(50), [&](Material& m) {
     Pose pose = turn(m);
     pose.translation = {0.1, 0.2, 0.3};
-    const auto seen = space::Sight({bvh, pose})(Ray3{{5, 4, 3}, {-5, -4, -2}});
+    const auto seen = space::Sight(PosedMesh{bvh, pose})(Ray3{{5, 4, 3}, {-5, -4, -2}});
     ASSERT_TRUE(seen) << m.about();
     EXPECT_LT(seen->doubts.edge, 1e-11) << m.about();
     EXPECT_LT(seen->doubts.end, 1e-10) << m.about();
@@ -118,11 +118,11 @@ TEST(SeenRay, IsSeenThroughATurnAndHardlyInDoubt) {
 TEST(SeenRay, NothingIsSeenWhereThePoseFlattens) {
   const Bvh bvh = build_bvh(meshes::ring(6));
   const Ray3 ray{{5, 4, 3}, {-5, -4, -2}};
-  EXPECT_FALSE(space::Sight({bvh, {{{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}, {0, 0, 0}}})(ray));
-  EXPECT_FALSE(space::Sight({bvh, {{{{0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}, {0, 0, 1}}}, {0, 0, 0}}})(ray));
-  EXPECT_FALSE(space::Sight({bvh, identity_pose})(Ray3{{0, 0, 0}, {0, 0, 0}}));
+  EXPECT_FALSE(space::Sight(PosedMesh{bvh, Pose{{{{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}, {0, 0, 0}}})(ray));
+  EXPECT_FALSE(space::Sight(PosedMesh{bvh, Pose{{{{0.1, 0.2, 0.3}, {0.3, 0.6, 0.9}, {0, 0, 1}}}, {0, 0, 0}}})(ray));
+  EXPECT_FALSE(space::Sight(PosedMesh{bvh, identity_pose})(Ray3{{0, 0, 0}, {0, 0, 0}}));
   const Bvh nothing = build_bvh(TriangleMesh{});
-  EXPECT_FALSE(space::Sight({nothing, identity_pose})(ray));
+  EXPECT_FALSE(space::Sight(PosedMesh{nothing, identity_pose})(ray));
 }
 
 }  // namespace
