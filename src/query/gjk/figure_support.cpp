@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "arith/big_rounding.hpp"
@@ -31,10 +32,12 @@ long power_above(const BigDyadic& x) {
 Interval magnitude(const Interval& x) { return Interval(std::max(std::fabs(x.lower), std::fabs(x.upper))); }
 Interval magnitudes(const Vec3<Interval>& v) { return magnitude(v.x) + magnitude(v.y) + magnitude(v.z); }
 /// The length of what has three coordinates up to this.
-Interval diagonal(const Interval& side) { return root(side * side + side * side + side * side); }
+Interval diagonal(const Interval& side) { return side * root(Interval(3.0)); }
 /// What rounding to nearest moves a number up to this.
 Interval moved_by_rounding(double largest) {
-  return (Interval(std::nextafter(largest, HUGE_VAL)) - Interval(largest)) * Interval(0.5);
+  constexpr double last = std::numeric_limits<double>::max();  // as far apart as the doubles around it are those below
+  const double below = largest < last ? largest : std::nextafter(last, 0);
+  return (Interval(std::nextafter(below, HUGE_VAL)) - Interval(below)) * Interval(0.5);
 }
 
 /// f of what tells farthest points of the figure.
