@@ -214,7 +214,8 @@ std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, 
   const QuickPair quick(*p, *q, radius_of(a), radius_of(b), f->proved);
   auto c = closest_at_once(quick, {a, *p}, {b, *q}, f->proved);
   if (!c && told.common == WhichPair::any && (f->proved.meets || radius_of(a) + radius_of(b) > 0)) c = quick.common();
-  if (!c) return {};
+  // By their radii alone they may touch, at a point of both surfaces.
+  if (!c || (c->meets && told.common == WhichPair::first)) return {};
   remember(options, *p, *q, f->proved);
   return GjkAnswer{c->meets, c->closest, f->steps, simplex_of(f->proved.corners)};
 }

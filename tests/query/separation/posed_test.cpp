@@ -143,7 +143,8 @@ TEST(PosedClosest, OfWhatIsFlattened) {
   EXPECT_EQ(closest_points(Posed{upright, flat}, Point3{1, 3, 1}),
             (Closest{{1, 0, 1}, {1, 3, 1}, 3, {FeatureKind::vertex, 3}, {FeatureKind::vertex, 0}}));
   const Pose2 to_line{{{{1, 0}, {0, 0}}}, {0, 0}};
-  EXPECT_EQ(closest_points(Posed{Triangle2{{0, 0}, {4, 1}, {2, 5}}, to_line}, Posed{Segment2{{1, 3}, {1, 7}}, to_line}),
+  EXPECT_EQ(closest_points(Posed{Triangle2{{0, 0}, {4, 1}, {2, 5}}, to_line}, Posed{Segment2{{1, 3}, {1, 7}}, to_line},
+                           WhichPair::first),
             (Closest2{{1, 0}, {1, 0}, 0, {FeatureKind::edge, 0}, {FeatureKind::vertex, 0}}));
 }
 

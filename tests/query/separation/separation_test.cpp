@@ -300,9 +300,9 @@ TEST(Separation, ScalesHaveTheSameAnswer) {
     const Tetrahedron3 a{point(), point(), point(), point()};
     const Point3 p = point(), q = point();
     const Capsule3 b{p, q, number() / 64};
-    const Closest near = closest_points(a, b);
+    const Closest near = closest_points(a, b, WhichPair::first);
     for (const int by : {-600, -480, 480, 960}) {  // places and distances are all normal numbers
-      const Closest c = closest_points(scaled(a, by), scaled(b, by));
+      const Closest c = closest_points(scaled(a, by), scaled(b, by), WhichPair::first);
       EXPECT_EQ(c.distance, std::ldexp(near.distance, by)) << i << " " << by;
       EXPECT_EQ(c.on_a, scaled(near.on_a, by)) << i << " " << by;
       EXPECT_EQ(c.feature_a, near.feature_a) << i << " " << by;
