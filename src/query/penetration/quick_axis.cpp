@@ -132,7 +132,9 @@ Ball overlap_along(const EdgeSum& sum, int axis) {
   const auto middle = [&](const CoreCorners& c) { return along_axis(c.twice_middle<Ball>(), axis); };
   Ball overlap = Ball(0.0) - magnitude(middle(d.a) - middle(d.b));
   for (const SumEdge& e : sum.edges()) {
-    const Ball length = (e.body == 0 ? d.a : d.b).length_of_edge<Ball>(e.bit, axis);
+    const CoreCorners& c = e.body == 0 ? d.a : d.b;
+    if (c.is_aligned() && e.bit != static_cast<std::uint32_t>(axis)) continue;  // it leads along another axis of space
+    const Ball length = c.length_of_edge<Ball>(e.bit, axis);
     if (!certainly_zero(length)) overlap = overlap + length;
   }
   return overlap;
