@@ -151,6 +151,10 @@ TEST(SeparatingAxes, OfBoxesThatTouchOrNearlyDo) {
       expect_same(a, b, "side by side " + std::to_string(i), seen);
       const Obb3 turned{{x + 2, 0, 0}, {Vector3{1, 1, 0}, Vector3{-1, 1, 0}, Vector3{0, 0, 1}}, {1, 1, number()}};
       expect_same(a, turned, "an edge on a side " + std::to_string(i), seen);
+      for (const double gap : {0x1p-50, -0x1p-50}) {  // which doubles alone do not tell
+        const Obb3 moved{{x + 2 + gap, 0, 0}, turned.axes, turned.half};
+        expect_same(a, moved, "an edge beside a side " + std::to_string(i), seen);
+      }
       const double half = number();
       const Obb3 of_axes{{x + half, 0, 0}, {Vector3{0, -1, 0}, Vector3{0, 0, 2}, Vector3{1, 0, 0}}, {1, 1, half}};
       expect_same(a, of_axes, "along the axes of space " + std::to_string(i), seen);
