@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "certify/sanitized.hpp"
 #include "plumb/query/gjk/figure_support.hpp"
@@ -240,6 +241,24 @@ TEST(SupportMappings, OfRoundFiguresKeepTheirDistanceUnderARigidPose) {
     under(turn), under(chain);
   };
   expect(pipe, ball), expect(ball, cone), expect(pipe, cone);
+}
+
+TEST(SupportMappings, TellTheirRoundingWhereverCoordinatesAre) {
+  const auto expect = [](double x) {
+    const Point3 p{x, x / 2, 0};
+    const bool is_last = x == std::numeric_limits<double>::max();
+    const double gap = is_last ? x - std::nextafter(x, 0) : std::nextafter(x, HUGE_VAL) - x;
+    const double of_point = FigureSupport3<Point3>(p).rounding();
+    EXPECT_GE(of_point, gap * (std::sqrt(3) / 2)) << x;
+    EXPECT_LE(of_point, gap * 4) << x;
+    if (x > 0x1p1000) return;
+    const Posed stays{p, identity_pose};
+    const double of_image = FigureSupport3<Posed<Point3, Pose>>(stays).rounding();
+    EXPECT_GE(of_image, of_point) << x;
+    EXPECT_LE(of_image, gap * 256) << x;
+  };
+  for (int e = -1074; e <= 1023; ++e) expect(std::ldexp(1.0, e));
+  expect(0), expect(std::numeric_limits<double>::max());
 }
 
 TEST(SupportMappings, RefusePosesThatAreNone) {
