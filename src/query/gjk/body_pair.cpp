@@ -35,12 +35,16 @@ std::vector<Exact3> exact_corners(const CoreCorners& c) {
 }
 
 std::optional<ToldPair> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
-                                        const ProvedCorners& proved) {
+                                        const ProvedCorners& proved, WhichPair common) {
   if (proved.meets || !proved.is_alone) return {};
   const auto feature_a = feature_of(a, named(proved.corners, 0).all(), proved.a);
   const auto feature_b = feature_of(b, named(proved.corners, 1).all(), proved.b);
   if (!feature_a || !feature_b) return {};
-  return pair.closest(*feature_a, *feature_b);
+  auto c = pair.closest(*feature_a, *feature_b);
+  if (c && c->meets && common == WhichPair::any) {
+    c->closest.feature_a = c->closest.feature_b = {FeatureKind::interior, 0};
+  }
+  return c;
 }
 
 mpq_class BodyPair::square(const ProvedCorners& proved) const { return QuickPair(a(), b(), 0, 0, proved).square(); }
@@ -61,7 +65,7 @@ Closest BodyPair::closest(const ProvedCorners& proved, WhichPair which) const {
   const mpq_class &radius_a = bodies_[0].radius, &radius_b = bodies_[1].radius;
   if (is_double(radius_a) && is_double(radius_b)) {
     const QuickPair quick(a(), b(), radius_a.get_d(), radius_b.get_d(), proved);
-    if (const auto c = closest_at_once(quick, {views_[0], a()}, {views_[1], b()}, proved)) return c->closest;
+    if (const auto c = closest_at_once(quick, {views_[0], a()}, {views_[1], b()}, proved, which)) return c->closest;
   }
   const bool is_first = which == WhichPair::first;
   const std::array points{exact_corners(a()), exact_corners(b())};

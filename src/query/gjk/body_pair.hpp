@@ -22,9 +22,10 @@ struct SeenBody {
 /// Of a hull's points that span the least face.
 Feature least_feature(std::span<const std::uint32_t> of);
 
-/// In pairs of doubles, where they and the corners tell all of it.
+/// In pairs of doubles, where they and the corners tell all of it.  Of bodies that meet features are told of the first common
+/// point alone.
 std::optional<ToldPair> closest_at_once(const QuickPair& pair, const SeenBody& a, const SeenBody& b,
-                                        const ProvedCorners& proved);
+                                        const ProvedCorners& proved, WhichPair common);
 
 std::vector<Exact3> exact_corners(const CoreCorners& c);
 

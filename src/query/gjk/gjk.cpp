@@ -212,7 +212,7 @@ std::optional<GjkAnswer> answered_at_once(const BodyView& a, const BodyView& b, 
   const auto f = quickly_found({a, *p}, {b, *q}, options);
   if (!f || (f->proved.meets && told.common == WhichPair::first)) return {};
   const QuickPair quick(*p, *q, radius_of(a), radius_of(b), f->proved);
-  auto c = closest_at_once(quick, {a, *p}, {b, *q}, f->proved);
+  auto c = closest_at_once(quick, {a, *p}, {b, *q}, f->proved, told.common);
   if (!c && told.common == WhichPair::any && (f->proved.meets || radius_of(a) + radius_of(b) > 0)) c = quick.common();
   // By their radii alone they may touch, at a point of both surfaces.
   if (!c || (c->meets && told.common == WhichPair::first)) return {};
