@@ -128,13 +128,28 @@ constexpr bool takes_any_of = ((Ask::template holds<Others, Sphere3> || Ask::tem
                                ...);
 template <class... Asks>
 constexpr bool takes_no_figures() {
-  return !(takes_any_of<Asks, Foreign, int, double, std::string, std::vector<Point3>, TriangleMesh, Bvh> || ...);
+  return !(takes_any_of<Asks, Foreign, int, double, std::string, std::vector<Point3>, TriangleMesh> || ...);
 }
+template <class... Asks>
+constexpr bool takes_index_and_figure = ((Asks::template holds<Bvh, Sphere3> || Asks::template holds<Sphere3, Bvh>) ||
+                                         ...);
+template <class... Asks>
+constexpr bool takes_two_indexes = (Asks::template holds<Bvh, Bvh> || ...);
 
 TEST(Requires, WhatIsNoFigureIsAskedNothing) {
   EXPECT_TRUE((takes_no_figures<AskRelate, AskIntersects, AskContains, AskClosestPoints, AskDistance, AskExactDistance,
                                 AskCompareDistance, AskFirstHit, AskFirstHitParameter, AskIntersection, AskAtRest,
                                 AskLocate>()));
+}
+/// Two meshes are asked how far apart they are (space/closest/closest_triangles.hpp), of what is asked of figures.
+TEST(Requires, IndexesAreAskedOfTheirDistanceAlone) {
+  EXPECT_FALSE((takes_index_and_figure<AskRelate, AskIntersects, AskContains, AskClosestPoints, AskDistance,
+                                       AskExactDistance, AskCompareDistance, AskFirstHit, AskFirstHitParameter,
+                                       AskIntersection, AskAtRest, AskLocate>));
+  EXPECT_FALSE(
+      (takes_two_indexes<AskRelate, AskIntersects, AskContains, AskClosestPoints, AskExactDistance, AskCompareDistance,
+                         AskFirstHit, AskFirstHitParameter, AskIntersection, AskAtRest, AskLocate>));
+  EXPECT_TRUE(takes_two_indexes<AskDistance>);
 }
 
 /// What convex bodies are asked has no table of letters: its concept is the table.
