@@ -84,7 +84,7 @@ TEST(RoundMeeting, WhatIsToldIsSoAndIntegersTellWhatTouches) {
       ask(Obb3{s.point(), {s.vector(), s.vector(), s.vector()}, {s.radius(), s.radius(), s.radius()}}, lozenge, seen);
     }
     if (battery::reaches_rare) {
-      EXPECT_GE(seen.touching, 50);  // the fewest where multiples of the unit are rounded
+      EXPECT_GE(seen.touching, 50);  // fewest touch where multiples of the unit are rounded
       EXPECT_GE(seen.by_integers, seen.touching);
       EXPECT_GE(seen.apart * 4, seen.meeting);
     }
