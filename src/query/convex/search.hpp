@@ -2,8 +2,8 @@
 //
 // Laws: an answer is that of real arithmetic, rounded once.  A polyhedron is one that convex_polyhedron made, whose numbers
 // are not looked through.  No answer where another number is none, of polygons, of what goes on but for lines and rays
-// beside a polyhedron, and of what is round under a pose that is not rigid; none about how bodies lie that share a plane
-// and more, and of closest points where there are several pairs.
+// beside a polyhedron where neither has a pose, and of what is round under a pose that is not rigid; none about how bodies
+// lie that share a plane and more, and of closest points where there are several pairs.
 // src/query/gjk/ answers: rooms after this one hold the search, for it takes poses and points alone as well.
 // Source: Gilbert, Johnson and Keerthi 1988; RTCD 9.5, 9.5.4, 5.2.1.
 // Cost: docs/convex.md.

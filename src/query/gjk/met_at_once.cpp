@@ -130,11 +130,13 @@ std::optional<CoreCorners> cut_to(const ConvexPolyhedron3& solid, const FigureVi
   });
 }
 
-/// `other`: what lines and rays are cut to.
-bool set(QuickBody& body, std::optional<CoreCorners>& cut, const FigureView& figure, const FigureView& other) {
+/// `other`: what lines and rays are cut to, as both are given: not under a pose of either.
+bool set(QuickBody& body, std::optional<CoreCorners>& cut, const BodyView& other) {
+  const FigureView& figure = body.view.figure;
   if (!is_one_of(figure.kind, {FigureKind::line, FigureKind::ray})) return body.set();
-  if (other.kind != FigureKind::convex_polyhedron) return false;
-  cut = cut_to(*static_cast<const ConvexPolyhedron3*>(other.shape), figure);
+  if (other.figure.kind != FigureKind::convex_polyhedron || !body.view.pose.stands() || !other.pose.stands())
+    return false;
+  cut = cut_to(*static_cast<const ConvexPolyhedron3*>(other.figure.shape), figure);
   body.core = cut ? &*cut : nullptr;
   return cut && body.hull.set(*cut);
 }
@@ -147,10 +149,9 @@ struct FigurePair {
   GjkCache found = {};
 
   Meeting met() {
-    const FigureView &p = view_of_a.figure, &q = view_of_b.figure;
     // A corner that is no number is the farthest one nowhere, and might never be asked.
-    const bool are_numbers = set(a, part_of_a, p, q) && set(b, part_of_b, q, p) && a.hull.is_finite_but_of_solid() &&
-                             b.hull.is_finite_but_of_solid();
+    const bool are_numbers = set(a, part_of_a, view_of_b) && set(b, part_of_b, view_of_a) &&
+                             a.hull.is_finite_but_of_solid() && b.hull.is_finite_but_of_solid();
     return are_numbers ? met_at_once(a, b, found) : Meeting::unsure;
   }
 };

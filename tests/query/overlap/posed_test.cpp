@@ -3,6 +3,7 @@
 #include "plumb/query/overlap/posed.hpp"
 
 #include "figure/basic/thrown.hpp"
+#include "plumb/figure/hull/hull3.hpp"
 #include "query/body/pair_laws.hpp"
 #include "query/body/pair_questions.hpp"
 #include "query/body/posed_cases.hpp"
@@ -127,6 +128,42 @@ TEST(PosedOverlap, WhatIsFlattenedIsTheFlatFigureThatItBecomes) {
   });
   for (const Relation r : {Relation::disjoint, Relation::touching, Relation::overlapping})
     EXPECT_GT(answers.of(r) * 50, answers.all());
+}
+
+// What goes on is cut to the polyhedron that it is asked with, which holds of both as they are given: a pose of either
+// moves it away, or brings it there.
+TEST(PosedOverlap, LinesAndRaysAreAskedWithPolyhedraWhereThePosesPutThem) {
+  Answers answers;
+  shape_cases::on_shapes(34, battery::sanitized ? 20 : 200, [&](Material& m) {
+    const std::vector<Point3> corners{small_point(m), small_point(m), small_point(m), small_point(m), small_point(m)};
+    const Hull3 hull = convex_hull(corners);
+    const Pose pose = whole_pose(m);
+    const Point3 from = m.below(2) == 0 ? corners[m.below(corners.size())] : small_point(m);
+    const Vector3 along{small(m), small(m), small(m)};
+    if (hull.dimension != 3 || determinant(pose) == 0 || along == Vector3{}) return;
+    std::vector<Point3> images;
+    for (const Point3& p : corners) images.push_back(moved(p, pose));
+    const ConvexPolyhedron3 solid = convex_polyhedron(hull, corners),
+                            image = convex_polyhedron(convex_hull(images), images);
+    const auto ask = [&](const auto& straight, const auto& straight_image) {
+      const Relation expected = relate(straight, solid);
+      answers.add(expected);
+      const auto expect = [&](const auto& a, const auto& b) {
+        EXPECT_EQ(relate(a, b), expected) << m.about(straight);
+        EXPECT_EQ(relate(b, a), expected) << m.about(straight);
+        EXPECT_EQ(intersects(a, b), expected != Relation::disjoint) << m.about(straight);
+        EXPECT_EQ(intersects(b, a), expected != Relation::disjoint) << m.about(straight);
+      };
+      expect(straight_image, image);
+      expect(straight_image, Posed{solid, pose});
+      expect(Posed{straight, pose}, image);
+      expect(Posed{straight, pose}, Posed{solid, pose});
+    };
+    ask(Line3{from, along}, Line3{moved(from, pose), moved(along, pose)});
+    ask(Ray3{from, along}, Ray3{moved(from, pose), moved(along, pose)});
+  });
+  for (const Relation r : {Relation::disjoint, Relation::touching, Relation::overlapping})
+    EXPECT_GT(answers.of(r) * 10, answers.all());
 }
 
 // A ball under any matrix is the ellipsoid of its columns.
