@@ -66,7 +66,8 @@ Closest closest_points_of(const FigureView& a, const FigureView& b, WhichPair co
   }
   if (const auto c = closest_of_sums({a}, {b})) return *c;
   if (const auto c = closest_by_search({a}, {b}, common)) return *c;
-  return told_pair(sound_pair("closest_points", a, b, WhichPair::first), {a, radius_of(a)}, {b, radius_of(b)});
+  const NearestPair pair = sound_pair("closest_points", a, b, WhichPair::first);  // a radius is a number after this
+  return told_pair(pair, {a, radius_of(a)}, {b, radius_of(b)});
 }
 
 double distance_at(const FigureAt& a, const FigureAt& b, std::string_view function) {
