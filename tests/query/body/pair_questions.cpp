@@ -37,14 +37,19 @@ Closest closest_points_of(const void* a, const void* b) {
     return in_space(closest_points(p, q));
   }
 }
+template <class A, class B>
+Closest any_closest_points_of(const void* a, const void* b) {
+  return in_space(closest_points(*static_cast<const A*>(a), *static_cast<const B*>(b)));
+}
 
 template <class A, class B>
 consteval PairQuestions questions() {
-  PairQuestions q{&relate_of<A, B>, &intersects_of<A, B>, nullptr, nullptr, nullptr};
+  PairQuestions q{&relate_of<A, B>, &intersects_of<A, B>, nullptr, nullptr, nullptr, nullptr};
   if constexpr (HasDistance<A, B>) {
     q.distance = &distance_of<A, B>;
     q.exact_distance = &exact_distance_of<A, B>;
     q.closest_points = &closest_points_of<A, B>;
+    q.any_closest_points = &any_closest_points_of<A, B>;
   }
   return q;
 }

@@ -19,7 +19,8 @@ struct PairQuestions {
   bool (*intersects)(const void*, const void*);
   double (*distance)(const void*, const void*);
   ExactDistance (*exact_distance)(const void*, const void*);
-  Closest (*closest_points)(const void*, const void*);  // of figures of the plane in the plane z = 0
+  Closest (*closest_points)(const void*, const void*);  // of figures of the plane in the plane z = 0; the first pair
+  Closest (*any_closest_points)(const void*, const void*);  // without an option: of those that meet any common point
 };
 
 struct PairRow {

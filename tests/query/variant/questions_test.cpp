@@ -41,7 +41,7 @@ void expect_as_kinds(const PairQuestions& q, const AnyFigure& a, const AnyFigure
   const std::string any_exact = outcome([&] { return exact_distance(x, y); });
   if (!is_measured) return unsupported(any_distance), unsupported(any_closest), unsupported(any_exact);
   asked.expect(outcome([&] { return q.distance(a.shape(), b.shape()); }), any_distance, about);
-  asked.expect(outcome([&] { return q.closest_points(a.shape(), b.shape()); }), any_closest, about);
+  asked.expect(outcome([&] { return q.any_closest_points(a.shape(), b.shape()); }), any_closest, about);
   asked.expect(outcome([&] { return q.exact_distance(a.shape(), b.shape()); }), any_exact, about);
 }
 
