@@ -64,7 +64,7 @@ TEST(CrossingSign, IsThatOfTheExactProducts) {
   EXPECT_GE(doubtful, 500);
 }
 
-/// Which world tells it where exponents span all that there are: never an exact one, but where products are equal.
+/// Which world tells it where exponents span all that there are: integers a tenth at most, and never rationals.
 TEST(CrossingSign, IsToldByItsOwnErrorsWhereExponentsAreFarApart) {
   WorldCounts worlds;
   int doubtful = 0;
@@ -82,7 +82,8 @@ TEST(CrossingSign, IsToldByItsOwnErrorsWhereExponentsAreFarApart) {
     ASSERT_EQ(static_cast<int>(told), truth(true, x)) << "replay: " << i;
   }
   EXPECT_GE(doubtful, 200);
-  EXPECT_EQ(worlds.of(WorldKind::integers), 0u);
+  EXPECT_LE(worlds.of(WorldKind::integers), 200u);
+  EXPECT_EQ(worlds.of(WorldKind::rationals), 0u);
 }
 
 TEST(CrossingSign, DoublesTellItInPromisedShare) {
