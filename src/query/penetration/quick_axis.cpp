@@ -119,9 +119,10 @@ class Axes {
 /// The axis of space that a normal is along by zeros.
 std::optional<int> axis_of(const Vec<Running>& n) {
   const std::array is_zero{certainly_zero(n.x), certainly_zero(n.y), certainly_zero(n.z)};
-  for (int k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k) {
     const bool is_along = is_zero[(k + 1) % 3] && is_zero[(k + 2) % 3] && !is_zero[k];
-    if (is_along && certain_sign(along_axis(n, k)) != 0) return k;
+    const auto axis = static_cast<int>(k);
+    if (is_along && certain_sign(along_axis(n, axis)) != 0) return axis;
   }
   return {};
 }
