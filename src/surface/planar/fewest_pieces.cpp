@@ -67,35 +67,32 @@ class FewestPieces {
   }
   bool bends(std::uint32_t a, std::uint32_t b, std::uint32_t c) const { return turn(a, b, c) == Sign::negative; }
 
-  // Is p strictly within the angle of corner i?
+  // Is p within the angle of corner i or on its sides?
   bool in_angle(std::uint32_t i, std::uint32_t p) const {
     const std::uint32_t before = i == 0 ? n_ - 1 : i - 1, after = i + 1 == n_ ? 0 : i + 1;
-    const bool left_of_out = turn(i, after, p) == Sign::positive, left_of_in = turn(before, i, p) == Sign::positive;
+    const bool left_of_out = !bends(i, after, p), left_of_in = !bends(before, i, p);
     return reflex_[i] ? left_of_out || left_of_in : left_of_out && left_of_in;
   }
 
-  // Answers for diagonals at a reflex corner; the others are not asked about.
+  // Does the segment from i to k stay in the polygon?  It may touch corners and run along edges: a piece with a corner
+  // on a straight side is a fan of triangles some of which have no area.  None of them is ever a piece for itself,
+  // because its diagonal can be left out.  Answers for diagonals at a reflex corner; the others are not asked about.
   bool sees(std::uint32_t i, std::uint32_t k) const {
-    if (!reflex_[i] && !reflex_[k] && k - i > 2) return i == 0 && sees_all_edges(i, k);
-    return sees_all_edges(i, k);
-  }
-  bool sees_all_edges(std::uint32_t i, std::uint32_t k) const {
+    if (!reflex_[i] && !reflex_[k] && k - i > 2 && i != 0) return false;
     if (!in_angle(i, k) || !in_angle(k, i)) return false;
-    for (std::uint32_t a = 0; a < n_; ++a) {
-      const std::uint32_t b = a + 1 == n_ ? 0 : a + 1;
-      if (a == i || a == k || b == i || b == k) continue;
-      const int sides = static_cast<int>(turn(i, k, a)) * static_cast<int>(turn(i, k, b));
-      const int ends = static_cast<int>(turn(a, b, i)) * static_cast<int>(turn(a, b, k));
-      if (sides <= 0 && ends <= 0 && !(sides == 0 && ends == 0)) return false;
+    Sign side = turn(i, k, n_ - 1);
+    for (std::uint32_t a = n_ - 1, b = 0; b < n_; a = b++) {
+      const Sign last = side;
+      side = turn(i, k, b);
+      if (static_cast<int>(last) * static_cast<int>(side) < 0 &&
+          static_cast<int>(turn(a, b, i)) * static_cast<int>(turn(a, b, k)) < 0)
+        return false;
+      if (b != i && b != k && side == Sign::zero &&
+          compare_xy(points_[i], points_[b]) == compare_xy(points_[b], points_[k]) &&
+          (!in_angle(b, i) || !in_angle(b, k)))
+        return false;
     }
-    return !passes_corner(i, k);
-  }
-  bool passes_corner(std::uint32_t i, std::uint32_t k) const {
-    for (std::uint32_t a = 0; a < n_; ++a)
-      if (a != i && a != k && turn(i, k, a) == Sign::zero &&
-          compare_xy(points_[i], points_[a]) == compare_xy(points_[a], points_[k]))
-        return true;
-    return false;
+    return true;
   }
 
   void from_reflex(std::uint32_t i, std::uint32_t k) {
@@ -163,7 +160,7 @@ class FewestPieces {
     return {pairs.back().at_i, true, pairs.back().at_i == pairs.back().at_k, pairs.back()};
   }
 
-  // Leaves for each chain of the answer the pair that its neighbor was joined with in the place that is asked.
+  // Leaves for each chain of the answer the pair alone that its neighbor was joined with.
   void mark_narrow() {
     std::vector<std::array<std::uint32_t, 2>> pending{{0, n_ - 1}};
     while (!pending.empty()) {
@@ -174,11 +171,12 @@ class FewestPieces {
       if (!s.first_is_cut) {
         auto& pairs = chain(i, s.j).narrow;
         const auto wanted = [&](const Narrow& pair) { return pair.at_i == s.pair.at_i; };
-        pairs.erase(pairs.begin(), std::find_if(pairs.begin(), pairs.end(), wanted));
+        pairs = {*std::find_if(pairs.begin(), pairs.end(), wanted)};
       }
       if (!s.second_is_cut) {
         auto& pairs = chain(s.j, k).narrow;
-        while (pairs.back().at_k != s.pair.at_k) pairs.pop_back();
+        const auto wanted = [&](const Narrow& pair) { return pair.at_k == s.pair.at_k; };
+        pairs = {*std::find_if(pairs.begin(), pairs.end(), wanted)};
       }
       pending.push_back({i, s.j});
       pending.push_back({s.j, k});
