@@ -30,7 +30,7 @@ constexpr std::uint32_t not_known = std::numeric_limits<std::uint32_t>::max();
 struct Chain {
   bool seen = false;  // do its ends see each other through the polygon?
   std::uint32_t diagonals = not_known;
-  std::vector<Narrow> narrow;  // the corner at i ascends, that at k descends; the last is the first that is asked
+  std::vector<Narrow> narrow;  // both corners ascend, for none is narrower at both ends
 };
 
 class FewestPieces {

@@ -199,5 +199,84 @@ TEST(ConvexPieces, TheFewestAreFewest) {
   EXPECT_THROW((void)fewest_convex_pieces(Polygon2{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}), InvalidShape);
 }
 
+bool cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const auto parts = [](const Point2& p, const Point2& q, const Point2& r, const Point2& s) {
+    return static_cast<int>(orient2d(p, q, r)) * static_cast<int>(orient2d(p, q, s)) < 0;
+  };
+  return parts(a, b, c, d) && parts(c, d, a, b);
+}
+
+// A path of a lattice whose crossings are undone, most of whose corners lie on lines with others.
+Polygon2 uncrossed(std::size_t corners, std::uint64_t side, Entropy& entropy) {
+  Polygon2 polygon;
+  auto& v = polygon.vertices;
+  for (std::size_t k = 0; k < corners; ++k)
+    v.push_back({static_cast<double>(entropy.below(side)), static_cast<double>(entropy.below(side))});
+  bool found = true;
+  for (int pass = 0; found && pass < 50; ++pass) {
+    found = false;
+    for (std::size_t i = 0; i + 2 < corners; ++i)
+      for (std::size_t j = i + 2; j < corners; ++j)
+        if (cross(v[i], v[i + 1], v[j], v[(j + 1) % corners])) {
+          std::reverse(&v[i + 1], &v[j] + 1);
+          found = true;
+        }
+  }
+  return polygon;
+}
+
+void expect_no_corner_within_an_edge(const std::vector<Point2>& points, const Pieces& pieces) {
+  for (const auto& piece : pieces)
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      const Point2 &a = points[piece[k]], &b = points[piece[(k + 1) % piece.size()]];
+      for (const Point2& p : points)
+        EXPECT_FALSE(orient2d(a, b, p) == Sign::zero && compare_xy(a, p) == compare_xy(p, b));
+    }
+}
+
+TEST(ConvexPieces, TheFewestOfALatticeAreFewest) {
+  std::size_t asked = 0;
+  for (std::uint64_t round = 0; round < 6000; ++round) {
+    SCOPED_TRACE("Entropy(54, " + std::to_string(round) + ")");
+    Entropy entropy(54, round);
+    const std::size_t corners = 5 + entropy.below(8);
+    const Polygon2 polygon = uncrossed(corners, 4 + entropy.below(4), entropy);
+    Pieces pieces;
+    try {
+      pieces = fewest_convex_pieces(polygon);
+    } catch (const InvalidShape&) {
+      continue;
+    }
+    ++asked;
+    std::vector<Point2> left = polygon.vertices;
+    std::vector<std::uint32_t> all(left.size());
+    std::iota(all.begin(), all.end(), 0U);
+    if (twice_area_of(left, all).sign() == Sign::negative) std::reverse(left.begin(), left.end());
+    EXPECT_EQ(pieces.size(), TriedOut(left).fewest());
+    expect_pieces(polygon.vertices, triangulate(polygon), pieces);
+    expect_no_corner_within_an_edge(polygon.vertices, pieces);
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GT(asked, 500U);
+}
+
+TEST(ConvexPieces, TheFewestAreConvexWhereverTheRingBegins) {
+  for (std::uint64_t round = 0; round < 100; ++round) {
+    SCOPED_TRACE("Entropy(55, " + std::to_string(round) + ")");
+    Entropy entropy(55, round);
+    Polygon2 polygon = star(20 + entropy.below(60), entropy);
+    if (round % 2 == 0)
+      for (auto& [x, y] : polygon.vertices) x = std::round(x * 30), y = std::round(y * 30);
+    try {
+      const Pieces pieces = fewest_convex_pieces(polygon);
+      expect_pieces(polygon.vertices, triangulate(polygon), pieces);
+      EXPECT_LE(pieces.size(), convex_pieces(polygon).size());
+      std::rotate(polygon.vertices.begin(), polygon.vertices.begin() + 1 + entropy.below(18), polygon.vertices.end());
+      EXPECT_EQ(pieces.size(), fewest_convex_pieces(polygon).size());
+    } catch (const InvalidShape&) {
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plumb
