@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -35,6 +36,7 @@ bool is_asked(const RepairSettings& settings, RepairKind kind) {
 }
 
 std::vector<RepairStep> steps_of(const RepairSettings& settings) {
+  if (!std::isfinite(settings.tolerance)) throw Error("--tolerance: it is not a real number; give a finite length");
   std::vector<RepairStep> steps;
   for (const RepairKind kind : in_order) {
     if (!is_asked(settings, kind)) continue;
@@ -55,6 +57,11 @@ std::string name_in_folder(const std::string& input) {
   const auto format = format_by_extension(name.string());
   if (!format || *format == MeshFormat::three_mf || *format == MeshFormat::gltf) name.replace_extension(".obj");
   return name.string();
+}
+
+/// Standard output has no extension: it is OBJ.
+WriteOptions writing_to(const std::string& path) {
+  return path == "-" ? WriteOptions{.format = MeshFormat::obj} : WriteOptions{};
 }
 
 /// Where each input's mesh goes.
@@ -89,7 +96,8 @@ struct LaterFile {
 
 void promise_meshes(const RepairSettings& settings, const Destinations& to, OutputFiles& outputs) {
   for (std::size_t i = 0; i < to.paths.size(); ++i) {
-    format_mesh(PolygonMesh{}, to.paths[i], {});  // a format that cannot be written is refused before anything is read
+    format_mesh(PolygonMesh{}, to.paths[i],
+                writing_to(to.paths[i]));  // a format that cannot be written is refused before anything is read
     if (std::find(to.paths.begin(), to.paths.begin() + static_cast<std::ptrdiff_t>(i), to.paths[i]) !=
         to.paths.begin() + static_cast<std::ptrdiff_t>(i))
       throw Error(fmt::format("two meshes would become {}; mend them one by one", printable(to.paths[i])));
@@ -163,7 +171,7 @@ int run_repair(const RepairSettings& settings) {
         const auto i = static_cast<std::size_t>(std::ranges::find_if(inputs.files, is_this) - inputs.files.begin());
         if (!to.paths.empty()) {
           m.written = to.paths[i];
-          std::string text = format_mesh(to_polygons(m.done.mesh), to.paths[i], {});
+          std::string text = format_mesh(to_polygons(m.done.mesh), to.paths[i], writing_to(to.paths[i]));
           if (to.folders.empty()) {
             outputs.write(option_of(to, i), std::move(text));
           } else {

@@ -12,7 +12,7 @@ Command repair_command(CLI::App& program) {
   parser
       ->add_option("-o,--output", o.output,
                    "Write the mended mesh to this file, in the format of its extension; of several meshes, to files of "
-                   "their names in this folder, which is made where it is missing.")
+                   "their names in this folder, which is made where it is missing. - is standard output, as OBJ.")
       ->type_name("OUT");
   parser->add_flag("--overwrite", o.overwrite, "Replace files of --output that are there.");
   parser->add_flag("--dry-run", o.dry_run, "Write no mesh; say what would be changed.");

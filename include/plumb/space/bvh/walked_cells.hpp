@@ -5,6 +5,8 @@
 // Cost: none.  Nothing is searched.
 #pragma once
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 /// closed: each cell whose closed set it touches, by a corner, an edge or a wall as well.

@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 template <class Index, class Box>
