@@ -242,7 +242,7 @@ TEST(RigidMesh, MeetsItselfInMotionWhereTheWeightedMeshDoes) {
     ASSERT_EQ(contacts_in_motion({cloth, s.pose, s.pose}), contacts_in_motion(cloth)) << m.about();
     met += static_cast<long>(contacts.size());
   });
-  EXPECT_GT(met, battery::fitting(20));
+  EXPECT_GT(met, battery::reaches_rare ? 20 : 0);
 }
 
 // A turn that no matrix of doubles is: as one link of a chain it is another pose to the search, and the same.
