@@ -72,7 +72,8 @@ inline Interval scaled_interval(double x, int exponent) {
 template <class T>
 Quaternion<T> quaternion(const Rotation& q) {
   const double largest = std::max({std::fabs(q.w), std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)});
-  // What is none of a rotation, by zeros or by what is no number, is left to whoever refuses it.
+  // What no power of two need bring near 1 is left; so is what is no rotation, by zeros or by what is no number, to
+  // whoever refuses it.
   const bool is_left = !(largest > 0 && std::isfinite(largest)) || (largest > 0x1p-10 && largest < 0x1p10);
   const int exponent = is_left ? 0 : -std::ilogb(largest);
   if constexpr (std::is_same_v<T, Interval>) {
