@@ -47,7 +47,7 @@ struct Term {
   static Filtered of(double x) { return Filtered(Filtered::Input{x}); }
   static Filtered root_of(double x) { return of(__builtin_sqrt(x)); }
 };
-/// As filter_constant.
+/// What filter_constant is to polynomials, this is to sums with roots.
 consteval double constant_of(const Bound& sum) { return static_cast<double>(sum.root + 2) * Bound::unit; }
 
 Sign decide_exactly(double a, double b, double c);

@@ -72,10 +72,10 @@ inline Interval scaled_interval(double x, int exponent) {
 template <class T>
 Quaternion<T> quaternion(const Rotation& q) {
   const double largest = std::max({std::fabs(q.w), std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)});
-  // What no power of two need bring near 1 is left; so is what is no rotation, by zeros or by what is no number, to
-  // whoever refuses it.
-  const bool is_left = !(largest > 0 && std::isfinite(largest)) || (largest > 0x1p-10 && largest < 0x1p10);
-  const int exponent = is_left ? 0 : -std::ilogb(largest);
+  // Zeros, and what is no number, are left to whoever refuses them.
+  const int logarithm = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+  constexpr int near_one = 10;  // a guess: products of such parts are far from what doubles hold
+  const int exponent = std::abs(logarithm) < near_one ? 0 : -logarithm;
   if constexpr (std::is_same_v<T, Interval>) {
     const auto part = [&](double x) { return scaled_interval(x, exponent); };
     return {part(q.w), {part(q.x), part(q.y), part(q.z)}};

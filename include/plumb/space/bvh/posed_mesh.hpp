@@ -37,9 +37,9 @@ class MeshPose {
   MeshPose(const RigidPose& pose) : is_(pose), rows_(rows_of(pose)) {}   // NOLINT
   MeshPose(const RigidChain& pose) : is_(pose), rows_(rows_of(pose)) {}  // NOLINT
 
-  /// Nothing of a rigid one.
+  /// A rigid one has none.
   [[nodiscard]] const Pose* matrix() const { return std::get_if<Pose>(&is_); }
-  /// Of a rigid one, around its exact numbers.
+  /// A rigid one has intervals here, around its exact numbers.
   [[nodiscard]] const Rows& rows() const { return rows_; }
   /// f(pose), a Pose, a RigidPose or a RigidChain.
   template <class F>
@@ -79,7 +79,7 @@ struct PosedMeshOf {
   PosedMeshOf(Mesh&&, const Pose& = identity_pose) = delete;  // which would not live
   PosedMeshOf(Mesh&&, const MeshPose&) = delete;
 
-  /// Of the triangle in a slot; the mesh must outlive it.
+  /// This is the triangle in a slot; the mesh must outlive it.
   [[nodiscard]] PosedTriangle triangle(std::size_t slot) const { return {bvh.triangle(slot), pose}; }
 };
 

@@ -67,7 +67,7 @@ class PairFront {
  public:
   std::vector<TrianglePair> intersecting_pairs(const BvhView& a, const BvhView& b, const PairOptions& options = {},
                                                std::vector<TrianglePair> rows = {});
-  /// Of one with itself.
+  /// These are the pairs that one mesh has with itself.
   std::vector<TrianglePair> intersecting_pairs(const BvhView& mesh, const PairOptions& options = {},
                                                std::vector<TrianglePair> rows = {});
 

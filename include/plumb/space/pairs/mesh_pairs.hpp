@@ -58,7 +58,7 @@ PairCount count_intersecting_pairs(const MeshView& a, const MeshView& b, const P
 std::optional<TrianglePair> any_intersecting_pair(const MeshView& a, const MeshView& b,
                                                   const PairOptions& options = {});
 
-/// Of one with itself.
+/// These are the pairs that one mesh has with itself.
 std::vector<TrianglePair> intersecting_pairs(const MeshView& mesh, const PairOptions& options = {},
                                              std::vector<TrianglePair> rows = {});
 PairCount count_intersecting_pairs(const MeshView& mesh, const PairOptions& options = {});

@@ -24,10 +24,10 @@ std::vector<std::vector<std::uint32_t>> convex_pieces(const Polygon2& polygon, W
 std::vector<std::vector<std::uint32_t>> convex_pieces(const HoledPolygon2& polygon,
                                                       WindingRule rule = WindingRule::odd);
 
-/// Of a polygon whose edges meet in their common corners alone.
+/// The polygon's edges must meet in their common corners alone.
 std::vector<std::vector<std::uint32_t>> fewest_convex_pieces(const Polygon2& polygon);
 
-/// Of triangles that overlap nowhere, joined over the edges that two of them have in common.
+/// The triangles, which must overlap nowhere, are joined over the edges that two of them have in common.
 std::vector<std::vector<std::uint32_t>> convex_pieces(std::span<const Point2> points, const CornerTriangles& triangles);
 
 }  // namespace plumb

@@ -17,7 +17,7 @@
 
 namespace plumb {
 
-/// Of a triangulation of these points.
+/// The triangulation must be one of these points.
 std::vector<ExactPoint2> voronoi_vertices(std::span<const Point2> points, const PlanarTriangulation& triangulation);
 
 }  // namespace plumb

@@ -43,7 +43,7 @@ struct BoundaryLoop {
   bool closed = true;  // else a chain, from an edge of more than two triangles to another
 };
 
-/// By their first edges.
+/// Loops are ordered by their first edges.
 std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh, const MeshEdges& edges);
 
 struct SurfaceKind {
