@@ -104,11 +104,9 @@ void add_scene(const std::string& name, const TriangleMesh& a, const TriangleMes
   const auto first = std::make_shared<Bvh>(build_bvh(a)), second = std::make_shared<Bvh>(build_bvh(b));
   const Pose pose = turned();
   add(name + "/plumb", [=] { return closest_triangles(*first, *second)->closest.distance; });
-#ifndef PLUMB_BENCH_BEFORE
   add(name + "/plumb_first", [=] { return closest_triangles(*first, *second, {.first = true})->closest.distance; });
   const double half = closest_triangles(*first, *second)->closest.distance / 2;
   add(name + "/plumb_within", [=] { return within(*first, *second, half) ? 1.0 : 0.0; });
-#endif
   const RigidPose rigid{{1, 0.25, -0.125, 0.375}, {0.1, 0.2, 0.3}};
   RigidPose beside = rigid;
   beside.translation.x += 0x1p-7;
