@@ -4,8 +4,8 @@
 #include <string>
 
 #include "mesh_round_trip.hpp"
-#include "surface/gunzip.hpp"
-#include "surface/gzipped.hpp"
+#include "surface/file/gunzip.hpp"
+#include "surface/file/gzipped.hpp"
 
 namespace plumb::fuzz {
 namespace {

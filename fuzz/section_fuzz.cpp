@@ -6,8 +6,8 @@
 
 #include "plumb/degenerate/points.hpp"
 #include "plumb/query/ray/parity.hpp"
-#include "plumb/surface/section.hpp"
-#include "surface/flat_contours.hpp"
+#include "plumb/surface/section/section.hpp"
+#include "surface/section/flat_contours.hpp"
 
 namespace plumb::fuzz {
 namespace {

@@ -6,22 +6,22 @@
 #pragma once
 
 #include "plumb/figure/basic/mesh.hpp"                   // TriangleMesh, PolygonMesh
-#include "plumb/surface/decimal.hpp"                     // which double a decimal is
-#include "plumb/surface/defects.hpp"                     // bow ties, T-junctions, double faces, close vertices
-#include "plumb/surface/mesh_file.hpp"                   // formats, and MeshFileError
+#include "plumb/surface/file/decimal.hpp"                // which double a decimal is
+#include "plumb/surface/file/mesh_file.hpp"              // formats, and MeshFileError
+#include "plumb/surface/file/read_mesh.hpp"              // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
+#include "plumb/surface/file/write_mesh.hpp"             // to a file, or to text
 #include "plumb/surface/planar/arrange_segments.hpp"     // crossings, edges, faces and windings of segments
 #include "plumb/surface/planar/convex_pieces.hpp"        // polygons into convex ones
 #include "plumb/surface/planar/delaunay.hpp"             // points and segments into triangles
+#include "plumb/surface/planar/triangulate.hpp"          // polygons into triangles
 #include "plumb/surface/planar/triangulate_polygon.hpp"  // polygons with holes into triangles
 #include "plumb/surface/planar/voronoi.hpp"              // centers of circles, exactly
-#include "plumb/surface/read_mesh.hpp"                   // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
 #include "plumb/surface/repair/repair.hpp"               // mending: holes, T-junctions, double faces, orientation
 #include "plumb/surface/repair/weld.hpp"                 // vertices that are one, exactly or within a tolerance
-#include "plumb/surface/section.hpp"                     // contours of one plane or many
-#include "plumb/surface/shells.hpp"                      // components: nesting, which is inside out, volumes
-#include "plumb/surface/topology.hpp"                    // neighbors, open edges
+#include "plumb/surface/section/section.hpp"             // contours of one plane or many
 #include "plumb/surface/topology/adjacency.hpp"          // half-edges, winged edges, triangles at a vertex
 #include "plumb/surface/topology/components.hpp"         // connected components, boundary loops, Euler's formula
+#include "plumb/surface/topology/defects.hpp"            // bow ties, T-junctions, double faces, close vertices
 #include "plumb/surface/topology/faults.hpp"             // all that is wrong, counted
-#include "plumb/surface/triangulate.hpp"                 // polygons into triangles
-#include "plumb/surface/write_mesh.hpp"                  // to a file, or to text
+#include "plumb/surface/topology/shells.hpp"             // components: nesting, which is inside out, volumes
+#include "plumb/surface/topology/topology.hpp"           // neighbors, open edges

@@ -10,8 +10,8 @@
 
 #include "bench/measure.hpp"
 #include "plumb/certify/kernel.hpp"
-#include "plumb/surface/read_mesh.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 namespace plumb::bench {
 namespace {

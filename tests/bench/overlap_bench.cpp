@@ -11,7 +11,7 @@
 #include "plumb/figure/aabb/relation.hpp"
 #include "plumb/query/overlap/batch.hpp"
 #include "plumb/query/overlap/overlap.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb::bench {
 namespace {

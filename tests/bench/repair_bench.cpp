@@ -13,7 +13,7 @@
 
 #include "plumb/surface.hpp"
 #include "space/bvh/meshes.hpp"
-#include "surface/planted_faults.hpp"
+#include "surface/repair/planted_faults.hpp"
 
 namespace plumb::bench {
 namespace {

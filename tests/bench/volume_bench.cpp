@@ -19,7 +19,7 @@
 #include "plumb/space/bvh/sphere_tree.hpp"
 #include "plumb/space/pairs/sphere_levels.hpp"
 #include "plumb/space/pairs/volume_pairs.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb::bench {
 namespace {

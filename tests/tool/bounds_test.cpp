@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/bounds/command.hpp"
 #include "tool/run_program.hpp"
 

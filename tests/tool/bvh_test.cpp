@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "figure/basic/solids.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/bvh/command.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"

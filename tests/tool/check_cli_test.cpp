@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "certify/sanitized.hpp"
-#include "plumb/surface/write_mesh.hpp"
-#include "surface/gzipped.hpp"
-#include "surface/packages.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
+#include "surface/file/gzipped.hpp"
+#include "surface/file/packages.hpp"
 #include "tool/check/command.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"

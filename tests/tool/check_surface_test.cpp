@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "figure/basic/solids.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/check/surface.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"

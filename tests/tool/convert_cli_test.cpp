@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "plumb/surface/read_mesh.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "figure/basic/solids.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "figure/basic/solids.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
-#include "plumb/surface/read_mesh.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/matchers.hpp"
 #include "tool/mesh/triangles_obj.hpp"
 #include "tool/run_program.hpp"

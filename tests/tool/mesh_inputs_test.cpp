@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "certify/sanitized.hpp"
-#include "surface/gzipped.hpp"
+#include "surface/file/gzipped.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 

@@ -18,7 +18,7 @@
 
 #include "figure/basic/solids.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/pairs/method_names.hpp"
 #include "tool/row_files.hpp"
 #include "tool/rows/npy.hpp"

@@ -13,7 +13,7 @@
 #include "certify/catalog.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/predicates/manifest.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/mesh/snap.hpp"
 #include "tool/plan/command.hpp"
 #include "tool/plan/lattice_savings.hpp"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/topology/faults.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "surface/gzipped.hpp"
+#include "surface/file/gzipped.hpp"
 #include "tool/matchers.hpp"
 #include "tool/row_files.hpp"
 #include "tool/run_program.hpp"

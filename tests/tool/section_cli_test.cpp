@@ -11,7 +11,7 @@
 
 #include "figure/basic/solids.hpp"
 #include "plumb/arith/rational.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 #include "tool/section/view.hpp"

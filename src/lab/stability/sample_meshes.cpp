@@ -8,7 +8,7 @@
 
 #include "lab/trial/location_tests.hpp"
 #include "plumb/arith/error.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "tool/mesh/flange.hpp"
 
 namespace plumb::lab::stability {

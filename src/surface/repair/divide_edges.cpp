@@ -4,7 +4,7 @@
 #include <span>
 
 #include "plumb/certify/direction.hpp"
-#include "plumb/surface/triangulate.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
 #include "surface/repair/loop_filling.hpp"
 #include "surface/repair/moved.hpp"
 #include "surface/repair/point_order.hpp"

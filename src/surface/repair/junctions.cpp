@@ -6,8 +6,8 @@
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/space/kd_tree/point_range.hpp"
-#include "plumb/surface/defects.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/defects.hpp"
+#include "plumb/surface/topology/topology.hpp"
 #include "surface/repair/weld_groups.hpp"
 #include "surface/topology/between.hpp"
 

@@ -1,9 +1,9 @@
 // What is one too many: triangles on the same points, walls, small components.
 #include <algorithm>
 
-#include "plumb/surface/defects.hpp"
-#include "plumb/surface/shells.hpp"
 #include "plumb/surface/topology/components.hpp"
+#include "plumb/surface/topology/defects.hpp"
+#include "plumb/surface/topology/shells.hpp"
 #include "surface/repair/steps.hpp"
 #include "surface/topology/mesh_corner.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates.hpp"
-#include "plumb/surface/triangulate.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
 
 namespace plumb::surface {
 namespace {

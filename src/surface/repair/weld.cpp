@@ -5,7 +5,7 @@
 #include "figure/basic/mesh_input.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/space/kd_tree/point_range.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 #include "surface/repair/moved.hpp"
 #include "surface/repair/point_order.hpp"
 #include "surface/repair/weld_groups.hpp"

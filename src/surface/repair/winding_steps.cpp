@@ -1,7 +1,7 @@
 // Orientation: triangles of a component that agree, and closed shells that are not inside out.
 #include <algorithm>
 
-#include "plumb/surface/shells.hpp"
+#include "plumb/surface/topology/shells.hpp"
 #include "surface/repair/point_order.hpp"
 #include "surface/repair/steps.hpp"
 #include "surface/topology/triangle_lists.hpp"

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 namespace plumb::surface {
 

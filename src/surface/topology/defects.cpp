@@ -1,4 +1,4 @@
-#include "plumb/surface/defects.hpp"
+#include "plumb/surface/topology/defects.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/surface/defects.hpp"
+#include "plumb/surface/topology/defects.hpp"
 
 namespace plumb {
 namespace {

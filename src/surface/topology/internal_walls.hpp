@@ -9,7 +9,7 @@
 // Cost: nothing where no edge of more than two triangles is in a shell that is not closed; else n log n.
 #pragma once
 
-#include "plumb/surface/shells.hpp"
+#include "plumb/surface/topology/shells.hpp"
 
 namespace plumb::surface {
 

@@ -2,12 +2,12 @@
 //
 // Each shell is looked at at places on it: one vertex, or, where it meets another, all of its vertices and the middle of
 // each triangle that meets another shell.  From each place a ray along x counts the crossings of every closed shell.
-// Laws: 4 and 5 of plumb/surface/shells.hpp.
+// Laws: 4 and 5 of plumb/surface/topology/shells.hpp.
 // Source: RTCD 5.4.3.
 // Cost: a descent for each place, and an exact sign for each triangle of a closed shell that its line passes.
 #pragma once
 
-#include "plumb/surface/shells.hpp"
+#include "plumb/surface/topology/shells.hpp"
 
 namespace plumb::surface {
 

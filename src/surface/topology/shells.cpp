@@ -1,4 +1,4 @@
-#include "plumb/surface/shells.hpp"
+#include "plumb/surface/topology/shells.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "plumb/certify/thread_limit.hpp"
-#include "plumb/surface/triangulate.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
 #include "tool/check/report.hpp"
 #include "tool/mesh/bent_faces.hpp"
 #include "tool/mesh/inputs.hpp"

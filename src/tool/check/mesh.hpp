@@ -15,8 +15,8 @@
 #include <string>
 
 #include "plumb/arith/lattice.hpp"
-#include "plumb/surface/read_mesh.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/topology/topology.hpp"
 #include "tool/check/surface.hpp"
 #include "tool/check/tally.hpp"
 #include "tool/terminal/progress.hpp"

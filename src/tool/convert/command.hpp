@@ -1,9 +1,9 @@
 // `plumb convert`: this mesh, as a file of another format.
 //
 // Laws: (1) faces and coordinates are those of the file read, bit for bit, with the exceptions of STL
-// (plumb/surface/write_mesh.hpp); nothing is welded or repaired.  (2) No file that is there is replaced, unless that is
+// (plumb/surface/file/write_mesh.hpp); nothing is welded or repaired.  (2) No file that is there is replaced, unless that is
 // asked for.  (3) The load report is said: what was left out, merged, or no double.
-// Source: plumb/surface/read_mesh.hpp, write_mesh.hpp.
+// Source: plumb/surface/file/read_mesh.hpp, write_mesh.hpp.
 // Cost: theirs.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
 #include "tool/mesh/inputs.hpp"
 
 namespace plumb::tool {

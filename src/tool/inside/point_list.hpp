@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "plumb/arith/point.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb::tool {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 #include "tool/intersect/command.hpp"
 #include "tool/terminal/number_text.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "plumb/query/ray/parity.hpp"
-#include "plumb/surface/triangulate.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
 #include "tool/terminal/origin.hpp"
 
 namespace plumb::tool {

@@ -3,7 +3,7 @@
 // Laws: (1) triangles have the numbers of the file's faces, from 0; of a file with polygons, those of the triangles
 // that they are cut into, one after the other.  (2) What cannot be read throws Error, and so does standard input that
 // is named twice, before anything is read.
-// Source: plumb/surface/read_mesh.hpp.
+// Source: plumb/surface/file/read_mesh.hpp.
 // Cost: that of reading, and of sorting the edges.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 #include "plumb/figure/basic/mesh.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/terminal.hpp"

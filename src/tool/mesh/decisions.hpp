@@ -15,7 +15,7 @@
 #include "plumb/arith/lattice.hpp"
 #include "plumb/certify/formula.hpp"
 #include "plumb/figure/basic/mesh.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 namespace plumb::tool {
 

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb::tool {
 

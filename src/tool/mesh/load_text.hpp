@@ -1,12 +1,12 @@
 // What did reading this file find?  The load report in words, for every command that says it.
 //
-// Source: plumb/surface/read_mesh.hpp.
+// Source: plumb/surface/file/read_mesh.hpp.
 // Cost: none.
 #pragma once
 
 #include <string>
 
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb::tool {
 

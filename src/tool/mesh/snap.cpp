@@ -7,7 +7,7 @@
 #include "plumb/predicates.hpp"
 #include "plumb/predicates/cross.hpp"
 #include "plumb/query/closest/closest.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 namespace plumb::tool {
 namespace {

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/surface/mesh_file.hpp"
+#include "plumb/surface/file/mesh_file.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {

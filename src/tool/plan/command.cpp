@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "plumb/surface/triangulate.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
 #include "tool/mesh/sample_part.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/progress.hpp"

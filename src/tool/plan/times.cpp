@@ -7,7 +7,7 @@
 
 #include "certify/catalog.hpp"
 #include "plumb/predicates/manifest.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 #include "tool/mesh/decisions.hpp"
 #include "tool/trial/task.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/thread_limit.hpp"
-#include "plumb/surface/triangulate.hpp"
-#include "plumb/surface/write_mesh.hpp"
+#include "plumb/surface/file/write_mesh.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
 #include "tool/terminal/output_files.hpp"

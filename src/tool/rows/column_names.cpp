@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
-#include "surface/text_lines.hpp"
+#include "surface/file/text_lines.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "plumb/arith/error.hpp"
-#include "surface/text_lines.hpp"
+#include "surface/file/text_lines.hpp"
 #include "tool/terminal/decimal_range.hpp"
 
 namespace plumb::tool {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "plumb/arith/error.hpp"
-#include "surface/byte_reader.hpp"
+#include "surface/file/byte_reader.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {

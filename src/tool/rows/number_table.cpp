@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "plumb/arith/error.hpp"
-#include "surface/foreign_formats.hpp"
-#include "surface/text_lines.hpp"
+#include "surface/file/foreign_formats.hpp"
+#include "surface/file/text_lines.hpp"
 #include "tool/rows/column_names.hpp"
 #include "tool/rows/decimal_rows.hpp"
 #include "tool/rows/npy.hpp"

@@ -4,7 +4,7 @@
 // content is read as a mesh, all else as CSV; what gzip packed is unpacked first.  (2) All rows are as long as one of the
 // lengths asked for, all their numbers are finite, and a header that names them has them in that order
 // (tool/rows/column_names.hpp); what is not throws Error, which names the file and the row.
-// Source: tool/rows/decimal_rows.hpp, tool/rows/npy.hpp, plumb/surface/read_mesh.hpp.
+// Source: tool/rows/decimal_rows.hpp, tool/rows/npy.hpp, plumb/surface/file/read_mesh.hpp.
 // Cost: that of reading.
 #pragma once
 

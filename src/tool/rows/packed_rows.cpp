@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "plumb/arith/error.hpp"
-#include "surface/foreign_formats.hpp"
-#include "surface/gunzip.hpp"
-#include "surface/mesh_parsers.hpp"
-#include "surface/text_lines.hpp"
+#include "surface/file/foreign_formats.hpp"
+#include "surface/file/gunzip.hpp"
+#include "surface/file/mesh_parsers.hpp"
+#include "surface/file/text_lines.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {

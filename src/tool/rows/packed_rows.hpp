@@ -2,7 +2,7 @@
 //
 // Laws: (1) what gzip packed is unpacked, to no more than the options allow.  (2) What another packer made, and an
 // archive of several files, throws Error, which names the packer and the mend; so does what is damaged or too large.
-// Source: surface/gunzip.hpp, surface/foreign_formats.hpp.
+// Source: surface/file/gunzip.hpp, surface/file/foreign_formats.hpp.
 // Cost: that of unpacking.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb::tool {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
-#include "plumb/surface/triangulate.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/json_text.hpp"

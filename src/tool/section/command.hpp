@@ -3,7 +3,7 @@
 // Laws: text, SVG, DXF and JSON hold the same contours, in the order of the planes as given.  Exit code 0 when done,
 // also where nothing is cut or contours are open; a mesh or words that cannot be read, a plane without a normal, an
 // output that cannot be written throw Error.
-// Source: plumb/surface/section.hpp.
+// Source: plumb/surface/section/section.hpp.
 // Cost: that of sections.
 #pragma once
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "plumb/surface/read_mesh.hpp"
-#include "plumb/surface/section.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/section/section.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/section/plane_words.hpp"
 #include "tool/section/view.hpp"

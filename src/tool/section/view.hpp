@@ -10,7 +10,7 @@
 #include <array>
 
 #include "plumb/arith/rational.hpp"
-#include "plumb/surface/section.hpp"
+#include "plumb/surface/section/section.hpp"
 
 namespace plumb::tool {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/surface/decimal.hpp"
+#include "plumb/surface/file/decimal.hpp"
 
 namespace plumb::tool {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "plumb/surface/mesh_file.hpp"
+#include "plumb/surface/file/mesh_file.hpp"
 
 namespace plumb::tool {
 namespace {

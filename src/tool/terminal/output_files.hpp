@@ -12,7 +12,7 @@
 // nothing beside it; (2) no output replaces a file that the run reads, under whatever name, nor standard input's, nor
 // one that is a mesh by its ending or its content, nor another output; a mesh replaces nothing unasked; (3)
 // "-", and whatever else standard output is, is written to standard output; (4) how the files are written says
-// surface/whole_file.hpp; what cannot be written throws Error, which names option and file.
+// surface/file/whole_file.hpp; what cannot be written throws Error, which names option and file.
 // Source: none.
 // Cost: the texts are held until they are kept.
 #pragma once
@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-#include "surface/whole_file.hpp"
+#include "surface/file/whole_file.hpp"
 
 namespace plumb::tool {
 

@@ -8,10 +8,10 @@
 #include "plumb/figure/measures/measures.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query/ray/parity.hpp"
-#include "plumb/surface/read_mesh.hpp"
-#include "plumb/surface/section.hpp"
-#include "plumb/surface/topology.hpp"
-#include "plumb/surface/triangulate.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/planar/triangulate.hpp"
+#include "plumb/surface/section/section.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 namespace plumb::docs {
 namespace {

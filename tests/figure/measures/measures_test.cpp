@@ -19,7 +19,7 @@
 #include "plumb/figure/k_dop/k_dop.hpp"
 #include "plumb/figure/obb/obb.hpp"
 #include "plumb/predicates.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb {
 namespace {

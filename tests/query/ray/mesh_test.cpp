@@ -12,7 +12,7 @@
 #include "plumb/query/ray/batch.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "plumb/query/ray/parity.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "query/ray/cases.hpp"
 #include "query/ray/oracle.hpp"
 

@@ -11,7 +11,7 @@
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
 #include "plumb/space/bvh/descend_compact.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/ray/rays.hpp"
 

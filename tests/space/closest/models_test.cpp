@@ -7,7 +7,7 @@
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 
 namespace plumb {
 namespace {

@@ -11,7 +11,7 @@
 #include "plumb/certify/thread_limit.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"

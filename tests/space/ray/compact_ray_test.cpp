@@ -9,7 +9,7 @@
 #include "figure/basic/thrown.hpp"
 #include "plumb/certify/instruction_set.hpp"
 #include "plumb/certify/thread_limit.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "space/ray/rays.hpp"
 
 namespace plumb {

@@ -9,7 +9,7 @@
 #include "figure/basic/solids.hpp"
 #include "plumb/query/ray/parity.hpp"
 #include "plumb/space.hpp"
-#include "plumb/surface/read_mesh.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
 #include "space/bvh/meshes.hpp"
 
 namespace plumb {

@@ -21,7 +21,7 @@
 #include <optional>
 #include <vector>
 
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 namespace plumb {
 

@@ -6,7 +6,7 @@
 //
 // Laws: (1) closed: every edge is in an even number of triangles.  Oriented: of the triangles at an edge as many run
 // along it one way as the other, but for one where their number is odd.  (2) Shells, which is inside out and which a
-// wall: plumb/surface/shells.hpp.  Vertices and triangles that are not as they should be: plumb/surface/defects.hpp.
+// wall: plumb/surface/topology/shells.hpp.  Vertices and triangles that are not as they should be: plumb/surface/topology/defects.hpp.
 // (3) Edges and neighbors are those of the vertices' numbers: where vertices are repeated, triangles that meet there
 // share none, and touch.  (4) All of it is decided exactly, and depends on the mesh alone, not on threads.
 // A mesh that is none throws InvalidShape or NonFinite; so does a length, as close_vertices says.
@@ -22,8 +22,8 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/surface/shells.hpp"
-#include "plumb/surface/topology.hpp"
+#include "plumb/surface/topology/shells.hpp"
+#include "plumb/surface/topology/topology.hpp"
 
 namespace plumb {
 

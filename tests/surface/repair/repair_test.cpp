@@ -1,0 +1,301 @@
+// Repair: faults planted in sound meshes are mended and nothing is left to find; what was not asked for stays, and the
+// order of the input changes nothing.
+#include "plumb/surface/repair/repair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "figure/basic/solids.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/topology/components.hpp"
+#include "surface/repair/planted_faults.hpp"
+
+namespace plumb {
+namespace {
+
+using Corner = std::array<double, 3>;
+using Corners = std::array<Corner, 3>;
+
+/// Triangles by their points, from the least on: what no numbering changes.
+std::multiset<Corners> triangles_of(const TriangleMesh& mesh) {
+  std::multiset<Corners> all;
+  for (const auto& t : mesh.triangles) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = {mesh.vertices[t[k]].x + 0.0, mesh.vertices[t[k]].y + 0.0, mesh.vertices[t[k]].z + 0.0};
+    const auto turned = [&](std::size_t k) { return Corners{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]}; };
+    all.insert(std::min({turned(0), turned(1), turned(2)}));
+  }
+  return all;
+}
+
+std::size_t count(const Repaired& done, ChangeKind kind) {
+  return static_cast<std::size_t>(std::ranges::count(done.changes, kind, &RepairChange::kind));
+}
+
+void expect_sound(const Repaired& done) {
+  for (const std::string_view defect : surface_defects) EXPECT_FALSE(done.faults.has(defect)) << defect;
+  EXPECT_EQ(done.faults.repeated_vertices, 0U);
+  for (const RepairChange& c : done.changes) EXPECT_FALSE(is_left(c.kind)) << text_of(c.kind);
+}
+
+/// Vertices and triangles in another order, triangles from another corner on.
+TriangleMesh shuffled(const TriangleMesh& mesh, std::mt19937& random) {
+  std::vector<std::uint32_t> order(mesh.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::shuffle(order, random);
+  TriangleMesh other{std::vector<Point3>(order.size()), mesh.triangles};
+  for (std::size_t v = 0; v < order.size(); ++v) other.vertices[order[v]] = mesh.vertices[v];
+  for (auto& t : other.triangles) {
+    for (auto& v : t) v = order[v];
+    std::ranges::rotate(t, t.begin() + random() % 3);
+  }
+  std::ranges::shuffle(other.triangles, random);
+  return other;
+}
+
+/// A box whose faces are grids of n squares by n.
+TriangleMesh grid_box(int n) {
+  std::set<solids::Cell> cells;
+  for (int x = 0; x < n; ++x)
+    for (int y = 0; y < n; ++y)
+      for (int z = 0; z < n; ++z) cells.insert({x, y, z});
+  return solids::voxels(cells);
+}
+
+TEST(Repair, WhatIsSoundStaysBitForBit) {
+  for (const TriangleMesh& mesh : {grid_box(3), solids::torus(3, 1, 12, 9), solids::hollow_torus(3, 1, 12, 9)}) {
+    const Repaired done = repair(mesh);
+    EXPECT_EQ(done.mesh.vertices, mesh.vertices);
+    EXPECT_EQ(done.mesh.triangles, mesh.triangles);
+    EXPECT_TRUE(done.changes.empty());
+    expect_sound(done);
+  }
+  EXPECT_TRUE(repair(TriangleMesh{}).mesh.triangles.empty());
+}
+
+TEST(Repair, EachPlantedFaultIsMended) {
+  for (const std::string_view fault : planted::faults) {
+    SCOPED_TRACE(fault);
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
+      SCOPED_TRACE(seed);
+      std::mt19937 random(seed);
+      TriangleMesh mesh = seed % 2 == 0 ? grid_box(3) : solids::hollow_torus(4, 1, 12, 9);
+      const auto whole = triangles_of(mesh);
+      if (!planted::plant(fault, mesh, random)) continue;
+      const Repaired done = repair(mesh);
+      expect_sound(done);
+      EXPECT_FALSE(done.changes.empty());
+      if (fault != "wide hole" && fault != "T-junction" && fault != "inside out") {
+        EXPECT_EQ(triangles_of(done.mesh), whole) << "as it was before";
+      }
+      if (fault == "inside out") {
+        EXPECT_EQ(count(done, ChangeKind::turned_shell), seed % 2 == 0 ? 1U : 2U);
+      }
+      EXPECT_EQ(triangles_of(repair(shuffled(mesh, random), {.execution = Execution::serial}).mesh),
+                triangles_of(done.mesh));
+    }
+  }
+}
+
+TEST(Repair, ManyFaultsAtOnce) {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    TriangleMesh mesh = grid_box(4);
+    for (int i = 0; i < 6; ++i) planted::plant(planted::faults[random() % planted::faults.size()], mesh, random);
+    const Repaired done = repair(mesh);
+    if (done.faults.any()) {
+      bool named = false;
+      for (const RepairChange& c : done.changes) named = named || is_left(c.kind);
+      EXPECT_TRUE(named) << "what stays is told";
+    }
+    EXPECT_EQ(triangles_of(repair(shuffled(mesh, random)).mesh), triangles_of(done.mesh));
+    const Repaired again = repair(done.mesh);
+    EXPECT_EQ(triangles_of(again.mesh), triangles_of(done.mesh));
+  }
+}
+
+TEST(Repair, TheModels) {
+  const std::filesystem::path folder(PLUMB_SHARED_DIR "/models");
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no models";
+  std::size_t planted_in = 0;
+  for (const char* name : {"spot.obj", "cow.obj", "rocker-arm.obj", "fandisk.obj"}) {
+    if (!std::filesystem::exists(folder / name)) continue;
+    SCOPED_TRACE(name);
+    const TriangleMesh whole = repair(read_mesh((folder / name).string())).mesh;
+    const SurfaceFaults before = find_faults(whole);
+    std::mt19937 random(7);
+    TriangleMesh mesh = whole;
+    for (int i = 0; i < 40; ++i) planted::plant(planted::faults[random() % 9], mesh, random);
+    const Repaired done = repair(mesh);
+    EXPECT_EQ(done.faults.open_edges, before.open_edges);
+    EXPECT_EQ(done.faults.has("unoriented") || done.faults.has("duplicate") || done.faults.has("opposite") ||
+                  done.faults.has("degenerate") || done.faults.has("vertex-on-edge") || done.faults.has("inside-out"),
+              false);
+    EXPECT_EQ(done.faults.closed, before.closed);
+    ++planted_in;
+  }
+  std::cout << planted_in << " models\n";
+}
+
+TEST(Repair, StepsCanBeHadAlone) {
+  TriangleMesh mesh = grid_box(2);
+  mesh.triangles.pop_back();
+  mesh.vertices.push_back({9, 9, 9});
+  std::swap(mesh.triangles[0][1], mesh.triangles[0][2]);
+  const Repaired filled = repair(mesh, {{RepairKind::orientation}, {RepairKind::holes}});
+  EXPECT_TRUE(filled.faults.closed && filled.faults.oriented);
+  EXPECT_EQ(filled.mesh.vertices, mesh.vertices) << "the unused one as well";
+  const Repaired less = repair(mesh, {{RepairKind::unused}}, {.judge = false});
+  EXPECT_EQ(less.mesh.triangles, mesh.triangles);
+  EXPECT_EQ(less.mesh.vertices.size() + 1, mesh.vertices.size());
+  EXPECT_EQ(less.faults.triangles, 0U) << "not judged";
+  EXPECT_EQ(repair(mesh, std::vector<RepairStep>{}).mesh.triangles, mesh.triangles);
+}
+
+TEST(Repair, AMoebiusStripIsNamed) {
+  TriangleMesh strip;
+  for (std::uint32_t i = 0; i < 7; ++i) {
+    strip.vertices.push_back({std::cos(i * 0.9), std::sin(i * 0.9), i % 2 == 0 ? 0.5 : -0.5});
+    strip.triangles.push_back({i, (i + 1 + i % 2) % 7, (i + 2 - i % 2) % 7});
+  }
+  const Repaired done = repair(strip);
+  EXPECT_EQ(count(done, ChangeKind::one_sided), 1U);
+  EXPECT_EQ(count(done, ChangeKind::one_sided_hole), 1U);
+  EXPECT_EQ(done.mesh.triangles, strip.triangles);
+}
+
+TEST(Repair, AHoleIsNotFilledThroughTheSurface) {
+  // A box without its lid, out of which a pillar stands: the lid would pass through the pillar.
+  TriangleMesh mesh = solids::box({0, 0, 0}, {4, 4, 1});
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.vertices[v].z == 1; });
+  });
+  ASSERT_EQ(mesh.triangles.size(), 10U);
+  const TriangleMesh open = mesh;
+  EXPECT_EQ(count(repair(open), ChangeKind::filled_hole), 1U);
+  solids::append(mesh, solids::box({1, 1, 0.5}, {2, 2, 3}));
+  const Repaired done = repair(mesh);
+  EXPECT_EQ(count(done, ChangeKind::kept_hole), 1U);
+  EXPECT_EQ(count(done, ChangeKind::filled_hole), 0U);
+  EXPECT_EQ(done.faults.open_edges, 4U);
+}
+
+TEST(Repair, HolesInNoPlane) {
+  TriangleMesh mesh = solids::torus(4, 1, 24, 17);
+  const auto whole = mesh.triangles.size();
+  std::erase_if(mesh.triangles, [&](const auto& t) {  // all about three neighboring vertices
+    return std::ranges::any_of(t, [](std::uint32_t v) { return v == 40 || v == 41 || v == 42; });
+  });
+  const Repaired done = repair(mesh);
+  expect_sound(done);
+  EXPECT_EQ(count(done, ChangeKind::filled_hole), 1U);
+  EXPECT_EQ(done.mesh.triangles.size(), whole - 6) << "three vertices less";
+  EXPECT_EQ(surface_kinds(done.mesh, find_edges(done.mesh))[0].genus(), 1);
+}
+
+TEST(Repair, BowTiesAndEdgesOfFourTrianglesAreSplit) {
+  TriangleMesh mesh = solids::voxels({{0, 0, 0}, {1, 1, 0}, {2, 2, 1}});  // an edge, and a vertex
+  ASSERT_TRUE(find_faults(mesh).has("non-manifold-edge") && find_faults(mesh).has("non-manifold-vertex"));
+  const Repaired done = repair(mesh);
+  EXPECT_FALSE(done.faults.has("non-manifold-edge") || done.faults.has("non-manifold-vertex"));
+  EXPECT_TRUE(done.faults.closed && done.faults.oriented);
+  EXPECT_EQ(done.faults.shells.size(), 3U);
+  EXPECT_EQ(count(done, ChangeKind::split_vertex), 3U);
+  EXPECT_EQ(triangles_of(done.mesh), triangles_of(mesh)) << "where they were";
+}
+
+TEST(Repair, WallsAndSmallComponentsAreLeftOut) {
+  TriangleMesh mesh = grid_box(2);
+  solids::append(mesh, {{{0.5, 0.5, 0.5}, {1.5, 0.5, 0.5}, {0.5, 1.5, 0.5}}, {{0, 1, 2}}});
+  const Repaired done = repair(mesh);
+  EXPECT_EQ(count(done, ChangeKind::removed_wall), 1U);
+  expect_sound(done);
+  solids::append(mesh, solids::box({9, 9, 9}, {10, 10, 10}));
+  const Repaired less = repair(mesh, {{RepairKind::small_components, 0, 13}, {RepairKind::unused}});
+  EXPECT_EQ(triangles_of(less.mesh), triangles_of(grid_box(2)));
+}
+
+TEST(Repair, NeedlesOfATriangleAreTakenOutWithoutAGap) {
+  // A square over a base: its edge 0-1 is closed by triangles on one line, with vertices 4 and 5 on it.
+  TriangleMesh mesh = solids::box({0, 0, 0}, {3, 3, 3});
+  const auto at = std::ranges::find_if(mesh.triangles, [&](const auto& t) {
+    return std::ranges::count_if(t, [&](std::uint32_t v) { return mesh.vertices[v].z == 0; }) == 3;
+  });
+  const auto [a, b, c] = *at;
+  const Point3 &p = mesh.vertices[a], &q = mesh.vertices[b];
+  const auto third = [&](double s) { return Point3{p.x + (q.x - p.x) / 3 * s, p.y + (q.y - p.y) / 3 * s, 0}; };
+  const auto m = static_cast<std::uint32_t>(mesh.vertices.size());
+  const Point3 one = third(1), two = third(2);
+  mesh.vertices.insert(mesh.vertices.end(), {one, two});
+  *at = {a, m, c};
+  mesh.triangles.insert(mesh.triangles.end(), {{m, m + 1, c}, {m + 1, b, c}, {a, b, m + 1}, {a, m + 1, m}});
+  ASSERT_EQ(mesh_statistics(mesh).boundary_edges, 0U);
+  const Repaired done = repair(mesh, {{RepairKind::degenerate}});
+  expect_sound(done);
+  EXPECT_EQ(count(done, ChangeKind::flat_triangle), 2U);
+  EXPECT_EQ(done.mesh.triangles.size(), 16U);
+}
+
+TEST(Repair, SliversWithinATolerance) {
+  TriangleMesh mesh = solids::box({0, 0, 0}, {2, 2, 2});
+  const auto at = std::ranges::find_if(mesh.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.vertices[v].z == 0; });
+  });
+  const auto [a, b, c] = *at;
+  const Point3 &p = mesh.vertices[a], &q = mesh.vertices[b];
+  const auto m = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2, -0.0625});  // a cap of that height below the edge
+  *at = {a, m, c};
+  mesh.triangles.insert(mesh.triangles.end(), {{m, b, c}, {a, b, m}});
+  ASSERT_EQ(mesh_statistics(mesh).boundary_edges, 0U);
+  const double low = std::nextafter(0.0625, 0);
+  EXPECT_EQ(count(repair(mesh, {{RepairKind::slivers, low}}), ChangeKind::flat_triangle), 0U);
+  const Repaired done = repair(mesh, {{RepairKind::slivers, 0.0625}});
+  EXPECT_EQ(count(done, ChangeKind::flat_triangle), 1U);
+  expect_sound(done);
+}
+
+TEST(Repair, CracksAreZippedWithinATolerance) {
+  // Two halves of a box, of unlike vertices along the crack, which is 2^-10 wide.
+  const double gap = std::ldexp(1, -10);
+  TriangleMesh mesh = grid_box(2);
+  TriangleMesh right = solids::box({2, 0, 0}, {4, 2, 2});
+  for (auto* half : {&mesh, &right}) {
+    std::erase_if(half->triangles, [&](const auto& t) {
+      return std::ranges::all_of(t, [&](std::uint32_t v) { return half->vertices[v].x == 2; });
+    });
+  }
+  for (Point3& p : right.vertices) p.x += gap;
+  solids::append(mesh, right);
+  EXPECT_EQ(find_faults(mesh).open_edges, 12U);
+  const Repaired done = repair(mesh, {{RepairKind::zip, gap}, {RepairKind::unused}});
+  expect_sound(done);
+  EXPECT_EQ(done.faults.shells.size(), 1U);
+  const Repaired less = repair(mesh, {{RepairKind::zip, std::nextafter(gap, 0)}});
+  EXPECT_EQ(less.mesh.triangles, mesh.triangles);
+}
+
+TEST(Repair, RefusesWhatIsNone) {
+  const TriangleMesh mesh = grid_box(1);
+  EXPECT_THROW(repair(mesh, {{RepairKind::weld, -1}}), InvalidShape);
+  EXPECT_THROW(repair(mesh, {{RepairKind::zip, NAN}}), NonFinite);
+  EXPECT_THROW(repair(mesh, {{static_cast<RepairKind>(99)}}), InvalidShape);
+  EXPECT_THROW(repair({{{0, 0, 0}}, {{0, 1, 0}}}, {{RepairKind::unused}}), InvalidShape);
+  EXPECT_THROW(repair(mesh, RepairOptions{.progress = [](double) { return false; }}), Cancelled);
+  EXPECT_THROW((void)find_faults(mesh).has("opened"), InvalidShape);
+  for (std::size_t k = 0; k < repair_kinds; ++k) EXPECT_FALSE(name_of(static_cast<RepairKind>(k)).empty());
+  for (std::size_t k = 0; k < change_kinds; ++k) EXPECT_FALSE(text_of(static_cast<ChangeKind>(k)).empty());
+}
+
+}  // namespace
+}  // namespace plumb
