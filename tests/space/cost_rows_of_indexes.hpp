@@ -107,7 +107,7 @@ inline const CostRow rows_of_indexes[]{
        for (const Point3& p : asked_points(c)) (void)closest_on_mesh(bvh, p);
      },
      72, 1},
-    {"closest_on_mesh, posed", "space/closest/posed_closest.hpp", sorting, 300,
+    {"closest_on_mesh, posed", "space/closest/closest_on_mesh.hpp", sorting, 300,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        for (const Point3& p : asked_points(c)) (void)closest_on_mesh(PosedMesh{bvh, pose(c.b)}, p);
