@@ -16,26 +16,13 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/topology/components.hpp"
+#include "surface/repair/meshes_alike.hpp"
 #include "surface/repair/planted_faults.hpp"
 
 namespace plumb {
 namespace {
 
-using Corner = std::array<double, 3>;
-using Corners = std::array<Corner, 3>;
-
-/// Triangles by their points, from the least on: what no numbering changes.
-std::multiset<Corners> triangles_of(const TriangleMesh& mesh) {
-  std::multiset<Corners> all;
-  for (const auto& t : mesh.triangles) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = {mesh.vertices[t[k]].x + 0.0, mesh.vertices[t[k]].y + 0.0, mesh.vertices[t[k]].z + 0.0};
-    const auto turned = [&](std::size_t k) { return Corners{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]}; };
-    all.insert(std::min({turned(0), turned(1), turned(2)}));
-  }
-  return all;
-}
+using namespace meshes_alike;
 
 std::size_t count(const Repaired& done, ChangeKind kind) {
   return static_cast<std::size_t>(std::ranges::count(done.changes, kind, &RepairChange::kind));
@@ -45,30 +32,6 @@ void expect_sound(const Repaired& done) {
   for (const std::string_view defect : surface_defects) EXPECT_FALSE(done.faults.has(defect)) << defect;
   EXPECT_EQ(done.faults.repeated_vertices, 0U);
   for (const RepairChange& c : done.changes) EXPECT_FALSE(is_left(c.kind)) << text_of(c.kind);
-}
-
-/// Vertices and triangles in another order, triangles from another corner on.
-TriangleMesh shuffled(const TriangleMesh& mesh, std::mt19937& random) {
-  std::vector<std::uint32_t> order(mesh.vertices.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::shuffle(order, random);
-  TriangleMesh other{std::vector<Point3>(order.size()), mesh.triangles};
-  for (std::size_t v = 0; v < order.size(); ++v) other.vertices[order[v]] = mesh.vertices[v];
-  for (auto& t : other.triangles) {
-    for (auto& v : t) v = order[v];
-    std::ranges::rotate(t, t.begin() + random() % 3);
-  }
-  std::ranges::shuffle(other.triangles, random);
-  return other;
-}
-
-/// A box whose faces are grids of n squares by n.
-TriangleMesh grid_box(int n) {
-  std::set<solids::Cell> cells;
-  for (int x = 0; x < n; ++x)
-    for (int y = 0; y < n; ++y)
-      for (int z = 0; z < n; ++z) cells.insert({x, y, z});
-  return solids::voxels(cells);
 }
 
 TEST(Repair, WhatIsSoundStaysBitForBit) {

@@ -24,6 +24,8 @@
 // - outward: closed shells that are inside out are turned, by exact volumes and nesting.
 // - split: a vertex of several fans becomes one vertex a fan; at an edge of four triangles and more those that bound
 //   the same solid stay together; shells that come of it are turned outward.
+// - merge_coplanar: neighbors in one plane, exactly or within the tolerance (merge_coplanar.hpp), are triangulated anew
+//   where that gives fewer triangles; vertices that all faces run straight through are dropped, unless they are kept.
 // - unused: vertices that no triangle names are left out.
 // Laws: (1) no vertex gets a new coordinate; vertices and triangles that no step names stay, bit for bit, in their order.
 // (2) Everything is decided exactly, tolerances are compared exactly; what is a guess is the choice among fillings.  (3)
@@ -44,6 +46,7 @@
 #include <vector>
 
 #include "plumb/space/bvh/progress.hpp"
+#include "plumb/surface/repair/merge_coplanar.hpp"
 #include "plumb/surface/repair/weld.hpp"
 #include "plumb/surface/topology/faults.hpp"
 
@@ -62,19 +65,21 @@ enum class RepairKind : unsigned char {
   holes,
   outward,
   split,
+  merge_coplanar,
   unused
 };
-inline constexpr std::size_t repair_kinds = 13;
+inline constexpr std::size_t repair_kinds = 14;
 
 /// "weld", "t-junctions", ...
 std::string_view name_of(RepairKind kind);
 
 struct RepairStep {
   RepairKind kind;
-  double tolerance = 0;                          // of weld, slivers and zip
-  std::uint64_t size = 0;                        // of small_components
-  WeldRule rule = WeldRule::clusters;            // of weld and zip
-  TurnedOver turned_over = TurnedOver::refused;  // of weld and zip
+  double tolerance = 0;                                      // of weld, slivers, zip and merge_coplanar
+  std::uint64_t size = 0;                                    // of small_components
+  WeldRule rule = WeldRule::clusters;                        // of weld and zip
+  TurnedOver turned_over = TurnedOver::refused;              // of weld and zip
+  CollinearVertices collinear = CollinearVertices::dropped;  // of merge_coplanar
 };
 
 /// weld, degenerate, t_junctions, zip where there is a tolerance, duplicates, walls, orientation, holes, outward, split,
@@ -93,7 +98,8 @@ enum class ChangeKind : unsigned char {
   turned_triangles,  // to agree with others
   filled_hole,       // by `count` triangles
   turned_shell,
-  split_vertex,  // into `count` more
+  split_vertex,     // into `count` more
+  merged_coplanar,  // `count` triangles in one plane became fewer
   unused_vertex,
   // What is left as it was:
   turning_group,   // vertices that were not merged, for a triangle would turn over
@@ -104,8 +110,9 @@ enum class ChangeKind : unsigned char {
   one_sided_hole,  // of a component that is one-sided
   open_chain,      // open edges that end at edges of more than two triangles
   kept_edge,       // of more than two triangles
+  kept_coplanar,   // triangles in one plane that cover one another there
 };
-inline constexpr std::size_t change_kinds = 21;
+inline constexpr std::size_t change_kinds = 23;
 
 /// "vertex merged", ...
 std::string_view text_of(ChangeKind kind);
