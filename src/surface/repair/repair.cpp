@@ -51,6 +51,7 @@ constexpr std::array<std::string_view, change_kinds> change_texts{
     "vertex left on an edge that cannot be divided there",
     "one-sided component (a Moebius strip) left",
     "hole left: its filling would meet the surface",
+    "hole left: two fillings fit it equally well",
     "hole left in a one-sided component",
     "open edges left that end at an edge of more than two triangles",
     "edge of more than two triangles left as it was",

@@ -14,6 +14,7 @@
 
 #include "figure/basic/solids.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/measures/measures.hpp"
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/topology/components.hpp"
 #include "surface/repair/meshes_alike.hpp"
@@ -164,6 +165,61 @@ TEST(Repair, HolesInNoPlane) {
   EXPECT_EQ(count(done, ChangeKind::filled_hole), 1U);
   EXPECT_EQ(done.mesh.triangles.size(), whole - 6) << "three vertices less";
   EXPECT_EQ(surface_kinds(done.mesh, find_edges(done.mesh))[0].genus(), 1);
+}
+
+TEST(Repair, HolesWithIslands) {
+  // A block with a square tunnel through it, of which the end that has the hole is missing.
+  std::set<solids::Cell> cells;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 2; ++z)
+        if (x != 1 || y != 1) cells.insert({x, y, z});
+  const TriangleMesh whole = solids::voxels(cells);
+  TriangleMesh mesh = whole;
+  const auto is_at_end = [&](const TriangleMesh& m, const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return m.vertices[v].z == 2; });
+  };
+  std::erase_if(mesh.triangles, [&](const auto& t) { return is_at_end(mesh, t); });
+  const Repaired done = repair(mesh);
+  expect_sound(done);
+  EXPECT_EQ(count(done, ChangeKind::filled_hole), 1U);
+  EXPECT_EQ(surface_kinds(done.mesh, find_edges(done.mesh))[0].genus(), 1);
+  EXPECT_EQ(std::ranges::count_if(done.mesh.triangles, [&](const auto& t) { return is_at_end(done.mesh, t); }), 16);
+  EXPECT_EQ(signed_volume(done.mesh), 16);
+  std::mt19937 random(3);
+  EXPECT_EQ(triangles_of(repair(shuffled(mesh, random)).mesh), triangles_of(done.mesh));
+  // Both ends.
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.vertices[v].z == 0; });
+  });
+  const Repaired both = repair(mesh);
+  expect_sound(both);
+  EXPECT_EQ(count(both, ChangeKind::filled_hole), 2U);
+  EXPECT_EQ(signed_volume(both.mesh), 16);
+}
+
+TEST(Repair, AHoleThatTwoFillingsFitEquallyWellIsNamed) {
+  // Four walls around a square of which two opposite corners are lifted: both diagonals have the same area.
+  const auto with_lift = [](double lift) {
+    TriangleMesh mesh{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 3}, {2, 0, 4}, {2, 2, 3}, {0, 2, lift}}, {}};
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t j = (i + 1) % 4;
+      mesh.triangles.push_back({i, j, j + 4});
+      mesh.triangles.push_back({i, j + 4, i + 4});
+    }
+    mesh.triangles.push_back({0, 2, 1});
+    mesh.triangles.push_back({0, 3, 2});
+    return mesh;
+  };
+  const Repaired done = repair(with_lift(4));
+  EXPECT_EQ(count(done, ChangeKind::tied_hole), 1U);
+  EXPECT_EQ(count(done, ChangeKind::filled_hole), 0U);
+  EXPECT_EQ(done.faults.open_edges, 4U);
+  for (const double lift : {std::nextafter(4, 5), std::nextafter(4, 3)}) {
+    const Repaired decided = repair(with_lift(lift));
+    EXPECT_EQ(count(decided, ChangeKind::filled_hole), 1U) << "an ulp tells";
+    expect_sound(decided);
+  }
 }
 
 TEST(Repair, BowTiesAndEdgesOfFourTrianglesAreSplit) {
