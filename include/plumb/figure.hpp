@@ -48,6 +48,7 @@
 #include "plumb/figure/hull/hull3.hpp"           // and in space
 #include "plumb/figure/hull/verify_hull.hpp"     // is this the hull?
 #include "plumb/figure/measures/measures.hpp"    // area, volume, surface, centroid
+#include "plumb/figure/measures/width.hpp"       // the nearest parallel planes that hold all points
 #include "plumb/figure/minkowski/minkowski.hpp"  // Minkowski sums and differences
 #include "plumb/figure/support/support.hpp"      // farthest along a direction
 

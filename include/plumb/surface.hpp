@@ -14,9 +14,11 @@
 #include "plumb/surface/planar/arrange_segments.hpp"     // crossings, edges, faces and windings of segments
 #include "plumb/surface/planar/convex_pieces.hpp"        // polygons into convex ones
 #include "plumb/surface/planar/delaunay.hpp"             // points and segments into triangles
+#include "plumb/surface/planar/planarity.hpp"            // how thick polygons are that are not planar
 #include "plumb/surface/planar/triangulate.hpp"          // polygons into triangles
 #include "plumb/surface/planar/triangulate_polygon.hpp"  // polygons with holes into triangles
 #include "plumb/surface/planar/voronoi.hpp"              // centers of circles, exactly
+#include "plumb/surface/repair/merge_coplanar.hpp"       // triangles of one plane into polygons with holes
 #include "plumb/surface/repair/repair.hpp"               // mending: holes, T-junctions, double faces, orientation
 #include "plumb/surface/repair/weld.hpp"                 // vertices that are one, exactly or within a tolerance
 #include "plumb/surface/section/section.hpp"             // contours of one plane or many

@@ -5,7 +5,7 @@
 
 #include "plumb/certify/direction.hpp"
 #include "plumb/surface/planar/triangulate.hpp"
-#include "surface/repair/loop_filling.hpp"
+#include "surface/repair/least_area.hpp"
 #include "surface/repair/moved.hpp"
 #include "surface/repair/point_order.hpp"
 
@@ -104,7 +104,7 @@ std::vector<TriangleMesh::Triangle> parts_of(const TriangleMesh& mesh, const Tri
     return parts;
   }
   const auto is_side = [&](std::uint32_t u, std::uint32_t v) { return on_one_side(t, corners, u, v); };
-  parts = least_area_filling(mesh.vertices, loop, is_side).value_or(Filling{});
+  if (auto least = least_area_filling(mesh.vertices, loop, is_side)) parts = std::move(least->filling);  // tied or not
   const auto points = [&](const TriangleMesh::Triangle& of) {
     return std::array{mesh.vertices[of[0]], mesh.vertices[of[1]], mesh.vertices[of[2]]};
   };

@@ -5,6 +5,8 @@
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "plumb/surface/topology/components.hpp"
+#include "surface/repair/island_filling.hpp"
+#include "surface/repair/least_area.hpp"
 #include "surface/repair/loop_filling.hpp"
 #include "surface/repair/point_order.hpp"
 #include "surface/repair/steps.hpp"
@@ -19,6 +21,9 @@ struct Hole {
   std::vector<std::uint32_t> loop;  // as the filling runs along it, from its first point on
   Filling filling{};
   bool filled = false, clashes = false;
+  bool tied = false;  // by fillings of exactly the least area
+  std::vector<std::uint32_t>
+      islands{};  // further loops of what is filled, numbers of holes that have no filling of their own
 };
 
 /// Loops that pass no vertex twice: of one that does the parts between are cut off.
@@ -135,6 +140,53 @@ void find_clashes(const TriangleMesh& mesh, const Bvh& surface, Execution execut
   }
 }
 
+/// Is an edge within the filling one that is taken?
+bool has_taken_diagonal(const Filling& filling, const TakenDiagonal& is_taken) {
+  std::map<std::array<std::uint32_t, 2>, int> times;
+  for (const auto& t : filling)
+    for (std::size_t k = 0; k < 3; ++k) ++times[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
+  return std::ranges::any_of(times, [&](const auto& e) { return e.second == 2 && is_taken(e.first[0], e.first[1]); });
+}
+
+/// Takes the fillings that clash with nothing.
+void keep_what_fits(const RepairWork& work, const Bvh& surface, std::vector<Hole>& holes) {
+  for (Hole& h : holes) h.clashes = false;
+  find_clashes(work.mesh, surface, work.execution, holes);
+  for (Hole& h : holes) {
+    if (h.filled) continue;
+    h.filled = !h.filling.empty() && !h.clashes;
+    if (!h.filled) h.filling.clear();
+  }
+}
+
+/// Fills what lies between loops of one plane.
+void fill_islands(const RepairWork& work, const Bvh& surface, const TakenDiagonal& is_taken, std::vector<Hole>& holes) {
+  std::vector<std::vector<std::uint32_t>> loops;
+  for (const Hole& h : holes) loops.push_back(h.loop);
+  for (FilledIslands& islands : island_fillings(work.mesh.vertices, loops)) {
+    if (has_taken_diagonal(islands.filling, is_taken)) continue;
+    Hole& first = holes[islands.loops[0]];
+    first.filling = std::move(islands.filling);
+    first.islands.assign(islands.loops.begin() + 1, islands.loops.end());
+  }
+  keep_what_fits(work, surface, holes);
+  for (Hole& h : holes) {
+    if (!h.filled) h.islands.clear();
+    for (const std::uint32_t i : h.islands) holes[i].filled = true;
+  }
+}
+
+/// The fillings of a loop alone, the most promising first.
+Filling filling_of(Hole& hole, int attempt, std::span<const Point3> at, const TakenDiagonal& is_taken) {
+  if (hole.tied) return {};
+  if (attempt == 0) return planar_filling(at, hole.loop, is_taken).value_or(Filling{});
+  if (attempt == 2) return little_area_filling(at, hole.loop, is_taken).value_or(Filling{});
+  if (hole.loop.size() > most_for_least_area) return {};
+  std::optional<LeastArea> least = least_area_filling(at, hole.loop, is_taken);
+  hole.tied = least && least->tied;
+  return least && !least->tied ? std::move(least->filling) : Filling{};
+}
+
 }  // namespace
 
 void holes_step(RepairWork& work) {
@@ -142,32 +194,21 @@ void holes_step(RepairWork& work) {
   std::vector<Hole> holes = holes_of(work, edges);
   if (holes.empty()) return;
   const auto is_taken = [&](std::uint32_t a, std::uint32_t b) { return !uses_between(edges, a, b).empty(); };
-  const std::span<const Point3> at = work.mesh.vertices;
   const Bvh surface = build_bvh(work.mesh, {.execution = work.execution});
-  for (const int attempt : {0, 1, 2}) {  // the fillings of a hole, the most promising first
+  fill_islands(work, surface, is_taken, holes);
+  for (const int attempt : {0, 1, 2}) {
     bool any = false;
     for (Hole& h : holes) {
       if (h.filled) continue;
-      std::optional<Filling> filling;
-      const bool small = h.loop.size() <= most_for_least_area;
-      if (attempt == 0) filling = planar_filling(at, h.loop, is_taken);
-      if (attempt == 1 && small) filling = least_area_filling(at, h.loop, is_taken);
-      if (attempt == 2) filling = little_area_filling(at, h.loop, is_taken);
-      h.filling = filling.value_or(Filling{});
-      any = any || filling;
+      h.filling = filling_of(h, attempt, work.mesh.vertices, is_taken);
+      any = any || !h.filling.empty();
     }
-    if (!any) continue;
-    for (Hole& h : holes) h.clashes = false;
-    find_clashes(work.mesh, surface, work.execution, holes);
-    for (Hole& h : holes) {
-      if (h.filled) continue;
-      h.filled = !h.filling.empty() && !h.clashes;
-      if (!h.filled) h.filling.clear();
-    }
+    if (any) keep_what_fits(work, surface, holes);
   }
   for (const Hole& h : holes) {
-    work.note(h.filled ? ChangeKind::filled_hole : ChangeKind::kept_hole, h.loop[0],
-              h.filled ? h.filling.size() : h.loop.size());
+    if (h.filled && h.filling.empty()) continue;  // an island
+    const ChangeKind kind = h.filled ? ChangeKind::filled_hole : h.tied ? ChangeKind::tied_hole : ChangeKind::kept_hole;
+    work.note(kind, h.loop[0], h.filled ? h.filling.size() : h.loop.size());
     work.mesh.triangles.insert(work.mesh.triangles.end(), h.filling.begin(), h.filling.end());
   }
 }

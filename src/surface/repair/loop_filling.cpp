@@ -71,43 +71,6 @@ std::optional<Filling> planar_filling(std::span<const Point3> points, std::span<
   return filling;
 }
 
-std::optional<Filling> least_area_filling(std::span<const Point3> points, std::span<const std::uint32_t> loop,
-                                          const TakenDiagonal& is_taken) {
-  const std::size_t n = loop.size();
-  const GuessedAreas area(points, loop);
-  struct Best {
-    double area = none_known;
-    std::uint32_t middle = 0;
-  };
-  std::vector<Best> best(n * n);
-  for (std::size_t i = 0; i + 1 < n; ++i) best[i * n + i + 1].area = 0;
-  for (std::size_t length = 2; length < n; ++length) {
-    for (std::size_t i = 0; i + length < n; ++i) {
-      const std::size_t k = i + length;
-      if (length + 1 < n && is_taken(loop[i], loop[k])) continue;
-      Best& here = best[i * n + k];
-      for (std::size_t j = i + 1; j < k; ++j) {
-        const double parts = best[i * n + j].area + best[j * n + k].area;
-        if (!(parts < here.area)) continue;
-        const double all = parts + area(i, j, k);
-        if (all < here.area) here = {all, static_cast<std::uint32_t>(j)};
-      }
-    }
-  }
-  if (best[n - 1].area == none_known) return {};
-  Filling filling;
-  std::vector<std::array<std::size_t, 2>> open{{0, n - 1}};
-  while (!open.empty()) {
-    const auto [i, k] = open.back();
-    open.pop_back();
-    if (k - i < 2) continue;
-    const std::size_t j = best[i * n + k].middle;
-    filling.push_back({loop[i], loop[j], loop[k]});
-    open.push_back({i, j}), open.push_back({j, k});
-  }
-  return filling;
-}
-
 std::optional<Filling> little_area_filling(std::span<const Point3> points, std::span<const std::uint32_t> loop,
                                            const TakenDiagonal& is_taken) {
   const std::size_t n = loop.size();

@@ -28,6 +28,7 @@ constexpr std::array<StepOfRepair, repair_kinds> steps_of_repair{{{"weld", surfa
                                                                   {"holes", surface::holes_step},
                                                                   {"outward", surface::outward_step},
                                                                   {"split", surface::split_step},
+                                                                  {"merge-coplanar", surface::coplanar_step},
                                                                   {"unused", surface::unused_step}}};
 
 constexpr std::array<std::string_view, change_kinds> change_texts{
@@ -43,15 +44,18 @@ constexpr std::array<std::string_view, change_kinds> change_texts{
     "hole filled",
     "shell turned that was inside out",
     "vertex split, one for each fan",
+    "coplanar triangles merged",
     "unused vertex left out",
     "group of vertices not merged: a triangle would turn over",
     "thin triangle left: its neighbor cannot be divided",
     "vertex left on an edge that cannot be divided there",
     "one-sided component (a Moebius strip) left",
     "hole left: its filling would meet the surface",
+    "hole left: two fillings fit it equally well",
     "hole left in a one-sided component",
     "open edges left that end at an edge of more than two triangles",
-    "edge of more than two triangles left as it was"};
+    "edge of more than two triangles left as it was",
+    "coplanar triangles left: they cover one another"};
 
 void require_step(const RepairStep& step) {
   if (static_cast<std::size_t>(step.kind) >= repair_kinds)

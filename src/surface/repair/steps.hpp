@@ -37,6 +37,7 @@ void orientation_step(RepairWork& work);
 void outward_step(RepairWork& work);
 void holes_step(RepairWork& work);
 void split_step(RepairWork& work);
+void coplanar_step(RepairWork& work);
 void unused_step(RepairWork& work);
 
 }  // namespace plumb::surface

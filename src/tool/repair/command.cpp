@@ -21,18 +21,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array in_order{
-    RepairKind::weld,        RepairKind::degenerate, RepairKind::slivers, RepairKind::t_junctions,
-    RepairKind::zip,         RepairKind::duplicates, RepairKind::walls,   RepairKind::small_components,
-    RepairKind::orientation, RepairKind::holes,      RepairKind::outward, RepairKind::split,
-    RepairKind::unused};
+constexpr std::array in_order{RepairKind::weld,
+                              RepairKind::degenerate,
+                              RepairKind::slivers,
+                              RepairKind::t_junctions,
+                              RepairKind::zip,
+                              RepairKind::duplicates,
+                              RepairKind::walls,
+                              RepairKind::small_components,
+                              RepairKind::orientation,
+                              RepairKind::holes,
+                              RepairKind::outward,
+                              RepairKind::split,
+                              RepairKind::merge_coplanar,
+                              RepairKind::unused};
 static_assert(in_order.size() == repair_kinds);
 
 bool is_asked(const RepairSettings& settings, RepairKind kind) {
   if (!settings.only.empty()) return std::ranges::count(settings.only, name_of(kind)) != 0;
   if (kind == RepairKind::zip) return settings.tolerance != 0;
   if (kind == RepairKind::small_components) return settings.size != 0;
-  return kind != RepairKind::slivers;
+  return kind != RepairKind::slivers && kind != RepairKind::merge_coplanar;
 }
 
 std::vector<RepairStep> steps_of(const RepairSettings& settings) {

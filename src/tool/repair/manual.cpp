@@ -13,11 +13,12 @@ and writes the mesh that comes of them. Polygons are triangulated.
 Whatever no step names stays as it was, bit for bit; no vertex gets a
 new coordinate. All is decided exactly; a tolerance is a wish, and is
 compared exactly. What cannot be mended stays, and is told: surfaces
-that cross, holes whose filling would meet the surface, one-sided
-components. At last the mesh is judged as `plumb check` does.)"},
+that cross, holes whose filling would meet the surface or that two
+fillings fit equally well, one-sided components. At last the mesh is judged as `plumb check` does.)"},
            {"STEPS", R"(
-Without --only all are taken but slivers, zip where there is no
-tolerance, and small-components where --smallest does not ask for it.
+Without --only all are taken but slivers, merge-coplanar, zip where
+there is no tolerance, and small-components where --smallest does not
+ask for it.
 
 weld   Vertices that are equal, or within --tolerance, become one:
        clusters no wider than the tolerance, or --chains.
@@ -41,6 +42,9 @@ holes  Loops of open edges are filled.
 outward
        Closed shells that are inside out are turned.
 split  A vertex of several fans becomes one vertex a fan.
+merge-coplanar
+       Neighbors in one plane, exactly or within --tolerance, become as
+       few triangles as their outline allows.
 unused Vertices that no triangle names are left out.)"}},
           {{"EXIT STATUS", R"(
 0      Done.

@@ -14,28 +14,16 @@
 
 #include "figure/basic/solids.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/measures/measures.hpp"
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/topology/components.hpp"
+#include "surface/repair/meshes_alike.hpp"
 #include "surface/repair/planted_faults.hpp"
 
 namespace plumb {
 namespace {
 
-using Corner = std::array<double, 3>;
-using Corners = std::array<Corner, 3>;
-
-/// Triangles by their points, from the least on: what no numbering changes.
-std::multiset<Corners> triangles_of(const TriangleMesh& mesh) {
-  std::multiset<Corners> all;
-  for (const auto& t : mesh.triangles) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = {mesh.vertices[t[k]].x + 0.0, mesh.vertices[t[k]].y + 0.0, mesh.vertices[t[k]].z + 0.0};
-    const auto turned = [&](std::size_t k) { return Corners{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]}; };
-    all.insert(std::min({turned(0), turned(1), turned(2)}));
-  }
-  return all;
-}
+using namespace meshes_alike;
 
 std::size_t count(const Repaired& done, ChangeKind kind) {
   return static_cast<std::size_t>(std::ranges::count(done.changes, kind, &RepairChange::kind));
@@ -45,30 +33,6 @@ void expect_sound(const Repaired& done) {
   for (const std::string_view defect : surface_defects) EXPECT_FALSE(done.faults.has(defect)) << defect;
   EXPECT_EQ(done.faults.repeated_vertices, 0U);
   for (const RepairChange& c : done.changes) EXPECT_FALSE(is_left(c.kind)) << text_of(c.kind);
-}
-
-/// Vertices and triangles in another order, triangles from another corner on.
-TriangleMesh shuffled(const TriangleMesh& mesh, std::mt19937& random) {
-  std::vector<std::uint32_t> order(mesh.vertices.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::shuffle(order, random);
-  TriangleMesh other{std::vector<Point3>(order.size()), mesh.triangles};
-  for (std::size_t v = 0; v < order.size(); ++v) other.vertices[order[v]] = mesh.vertices[v];
-  for (auto& t : other.triangles) {
-    for (auto& v : t) v = order[v];
-    std::ranges::rotate(t, t.begin() + random() % 3);
-  }
-  std::ranges::shuffle(other.triangles, random);
-  return other;
-}
-
-/// A box whose faces are grids of n squares by n.
-TriangleMesh grid_box(int n) {
-  std::set<solids::Cell> cells;
-  for (int x = 0; x < n; ++x)
-    for (int y = 0; y < n; ++y)
-      for (int z = 0; z < n; ++z) cells.insert({x, y, z});
-  return solids::voxels(cells);
 }
 
 TEST(Repair, WhatIsSoundStaysBitForBit) {
@@ -201,6 +165,61 @@ TEST(Repair, HolesInNoPlane) {
   EXPECT_EQ(count(done, ChangeKind::filled_hole), 1U);
   EXPECT_EQ(done.mesh.triangles.size(), whole - 6) << "three vertices less";
   EXPECT_EQ(surface_kinds(done.mesh, find_edges(done.mesh))[0].genus(), 1);
+}
+
+TEST(Repair, HolesWithIslands) {
+  // A block with a square tunnel through it, of which the end that has the hole is missing.
+  std::set<solids::Cell> cells;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 2; ++z)
+        if (x != 1 || y != 1) cells.insert({x, y, z});
+  const TriangleMesh whole = solids::voxels(cells);
+  TriangleMesh mesh = whole;
+  const auto is_at_end = [&](const TriangleMesh& m, const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return m.vertices[v].z == 2; });
+  };
+  std::erase_if(mesh.triangles, [&](const auto& t) { return is_at_end(mesh, t); });
+  const Repaired done = repair(mesh);
+  expect_sound(done);
+  EXPECT_EQ(count(done, ChangeKind::filled_hole), 1U);
+  EXPECT_EQ(surface_kinds(done.mesh, find_edges(done.mesh))[0].genus(), 1);
+  EXPECT_EQ(std::ranges::count_if(done.mesh.triangles, [&](const auto& t) { return is_at_end(done.mesh, t); }), 16);
+  EXPECT_EQ(signed_volume(done.mesh), 16);
+  std::mt19937 random(3);
+  EXPECT_EQ(triangles_of(repair(shuffled(mesh, random)).mesh), triangles_of(done.mesh));
+  // Both ends.
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.vertices[v].z == 0; });
+  });
+  const Repaired both = repair(mesh);
+  expect_sound(both);
+  EXPECT_EQ(count(both, ChangeKind::filled_hole), 2U);
+  EXPECT_EQ(signed_volume(both.mesh), 16);
+}
+
+TEST(Repair, AHoleThatTwoFillingsFitEquallyWellIsNamed) {
+  // Four walls around a square of which two opposite corners are lifted: both diagonals have the same area.
+  const auto with_lift = [](double lift) {
+    TriangleMesh mesh{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 3}, {2, 0, 4}, {2, 2, 3}, {0, 2, lift}}, {}};
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t j = (i + 1) % 4;
+      mesh.triangles.push_back({i, j, j + 4});
+      mesh.triangles.push_back({i, j + 4, i + 4});
+    }
+    mesh.triangles.push_back({0, 2, 1});
+    mesh.triangles.push_back({0, 3, 2});
+    return mesh;
+  };
+  const Repaired done = repair(with_lift(4));
+  EXPECT_EQ(count(done, ChangeKind::tied_hole), 1U);
+  EXPECT_EQ(count(done, ChangeKind::filled_hole), 0U);
+  EXPECT_EQ(done.faults.open_edges, 4U);
+  for (const double lift : {std::nextafter(4, 5), std::nextafter(4, 3)}) {
+    const Repaired decided = repair(with_lift(lift));
+    EXPECT_EQ(count(decided, ChangeKind::filled_hole), 1U) << "an ulp tells";
+    expect_sound(decided);
+  }
 }
 
 TEST(Repair, BowTiesAndEdgesOfFourTrianglesAreSplit) {

@@ -18,15 +18,20 @@
 // - walls: open shells inside of a solid are left out (shells.hpp).
 // - small_components: those of fewer triangles than `size`, joined over edges, are left out.
 // - orientation: over edges of two triangles, each component is wound alike; the fewer triangles are turned.
-// - holes: boundary loops are filled, without new vertices: by exact triangulation where the loop is in one plane, else
-//   by a filling of little area (of least area for loops of at most 256 corners: a guess in doubles).  A filling that
-//   would meet the surface or another filling beyond its loop, decided exactly, is refused.
+// - holes: boundary loops are filled, without new vertices.  Loops of one plane, one around others, are filled between
+//   them; a loop in a plane by exact triangulation; others by the filling of exactly the least area, for loops of at most
+//   256 corners, and are left where another filling, which is not the same surface, has exactly that area.  A filling
+//   that would meet the surface or another filling beyond its loop, decided exactly, is refused; then, and for longer
+//   loops, the smallest corners are cut off (a guess in doubles).
 // - outward: closed shells that are inside out are turned, by exact volumes and nesting.
 // - split: a vertex of several fans becomes one vertex a fan; at an edge of four triangles and more those that bound
 //   the same solid stay together; shells that come of it are turned outward.
+// - merge_coplanar: neighbors in one plane, exactly or within the tolerance (merge_coplanar.hpp), are triangulated anew
+//   where that gives fewer triangles; vertices that all faces run straight through are dropped, unless they are kept.
 // - unused: vertices that no triangle names are left out.
 // Laws: (1) no vertex gets a new coordinate; vertices and triangles that no step names stay, bit for bit, in their order.
-// (2) Everything is decided exactly, tolerances are compared exactly; what is a guess is the choice among fillings.  (3)
+// (2) Everything is decided exactly, tolerances are compared exactly; what is a guess is which corners of a loop are cut off
+// first.  (3)
 // The same mesh with vertices and triangles in another order becomes the same mesh in another order, where equal points
 // are one vertex: weld comes first, or a step may tell them apart; threads change nothing.  (4) What cannot be mended
 // stays, and is in the list of changes (is_left).  (5) Crossing surfaces are not parted.
@@ -34,7 +39,7 @@
 // NonFinite.
 // Source: RTCD 12.1, 12.3, 12.5.1; Barequet and Sharir 1995 (least area).
 // Cost: a tree and the pairs of triangles that meet, some 1 us a triangle for each step that asks about nesting or
-// fillings, and for the judgement; n^3 for a loop of n <= 256 corners.  Bounded by n^3 operations, on integers
+// fillings, and for the judgement; n^3 intervals for a loop of n <= 256 corners that is in no plane.  Bounded by n^3 operations, on integers
 // as long as the exponents' span.
 #pragma once
 
@@ -44,6 +49,7 @@
 #include <vector>
 
 #include "plumb/space/bvh/progress.hpp"
+#include "plumb/surface/repair/merge_coplanar.hpp"
 #include "plumb/surface/repair/weld.hpp"
 #include "plumb/surface/topology/faults.hpp"
 
@@ -62,19 +68,21 @@ enum class RepairKind : unsigned char {
   holes,
   outward,
   split,
+  merge_coplanar,
   unused
 };
-inline constexpr std::size_t repair_kinds = 13;
+inline constexpr std::size_t repair_kinds = 14;
 
 /// "weld", "t-junctions", ...
 std::string_view name_of(RepairKind kind);
 
 struct RepairStep {
   RepairKind kind;
-  double tolerance = 0;                          // of weld, slivers and zip
-  std::uint64_t size = 0;                        // of small_components
-  WeldRule rule = WeldRule::clusters;            // of weld and zip
-  TurnedOver turned_over = TurnedOver::refused;  // of weld and zip
+  double tolerance = 0;                                      // of weld, slivers, zip and merge_coplanar
+  std::uint64_t size = 0;                                    // of small_components
+  WeldRule rule = WeldRule::clusters;                        // of weld and zip
+  TurnedOver turned_over = TurnedOver::refused;              // of weld and zip
+  CollinearVertices collinear = CollinearVertices::dropped;  // of merge_coplanar
 };
 
 /// weld, degenerate, t_junctions, zip where there is a tolerance, duplicates, walls, orientation, holes, outward, split,
@@ -93,7 +101,8 @@ enum class ChangeKind : unsigned char {
   turned_triangles,  // to agree with others
   filled_hole,       // by `count` triangles
   turned_shell,
-  split_vertex,  // into `count` more
+  split_vertex,     // into `count` more
+  merged_coplanar,  // `count` triangles in one plane became fewer
   unused_vertex,
   // What is left as it was:
   turning_group,   // vertices that were not merged, for a triangle would turn over
@@ -101,11 +110,13 @@ enum class ChangeKind : unsigned char {
   kept_junction,   // a vertex by an edge that cannot be divided there
   one_sided,       // a component of `count` triangles that no turning makes agree: a Moebius strip
   kept_hole,       // of `count` edges: its filling would meet the surface
+  tied_hole,       // of `count` edges: two fillings have exactly the least area
   one_sided_hole,  // of a component that is one-sided
   open_chain,      // open edges that end at edges of more than two triangles
   kept_edge,       // of more than two triangles
+  kept_coplanar,   // triangles in one plane that cover one another there
 };
-inline constexpr std::size_t change_kinds = 21;
+inline constexpr std::size_t change_kinds = 24;
 
 /// "vertex merged", ...
 std::string_view text_of(ChangeKind kind);
