@@ -36,7 +36,7 @@ arith::Constraints weights_of_corners() {
   return all;
 }
 
-/// By the search, and what is exact where it does not tell.
+/// Asks the search, and what is exact where that leaves it open.
 bool meets(const PosedTriangle3& triangle, const FigureView& box) {
   return relate_posed("intersects", posed_view(triangle), {box}) != Relation::disjoint;
 }
