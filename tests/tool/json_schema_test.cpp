@@ -62,6 +62,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
         "cube.obj crossing.obj --overlapping", "cube.obj crossing.obj --first", "cube.obj crossing.obj --count"}},
       {"nearest", {"points.csv points.csv", "-k 3 points.csv points.csv --ties", "--within 1 points.csv cube.obj"}},
       {"pairs", {"boxes.csv", "boxes.csv boxes.csv --no-touching", "flat_boxes.csv --count", "cube.obj far.obj"}},
+      {"parts", {"cube.obj", "--most 1 cube.obj", "--concavity 0.5 cube.obj"}},
       {"plan", {"cube.obj open.obj --placements 5", "sliver.off cube.obj --all --placements 5"}},
       {"ray",
        {"--ray 0.5,0.5,5,0,0,-1 cube.obj", "--ray 0.1,0.5,5,0,0,1 --all cube.obj", "--segment 0,0,9,0,0,8 cube.obj"}},

@@ -146,6 +146,10 @@ const std::vector<Writer> writers{
     {"hausdorff",
      {"hausdorff", "part.obj", "far.obj", "--json", "a.json", "--obj", "a.obj", "--overwrite"},
      {"a.json", "a.obj"}},
+    {.name = "parts",
+     .words = {"parts", "block.obj", "--json", "a.json", "--obj", "a.obj", "--overwrite"},
+     .outputs = {"a.json", "a.obj"},
+     .is_hungry = false},
     {"inside", {"inside", "part.obj", "--points", "points.csv", "--json", "a.json"}, {"a.json"}},
     {"ray",
      {"ray", "part.obj", "--ray", "-9,0.1,0.2,1,0,0", "--json", "a.json", "--obj", "a.obj", "--overwrite"},
@@ -199,6 +203,7 @@ void write_inputs(const std::string& folder) {
     points << x << ',' << y << ',' << z << '\n';
     queries << y << ',' << z << ',' << x << '\n';
   }
+  std::ofstream(folder + "/block.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   for (const auto& [name, at, n] :
        {std::tuple("part", 0.0, 80), {"near", 0.4, 80}, {"far", 7.0, 80}, {"small", 0.0, 24}}) {
     std::ofstream mesh(folder + "/" + name + ".obj");

@@ -52,6 +52,7 @@ Command inside_command(CLI::App& program);
 Command intersect_command(CLI::App& program);
 Command nearest_command(CLI::App& program);
 Command pairs_command(CLI::App& program);
+Command parts_command(CLI::App& program);
 Command plan_command(CLI::App& program);
 Command proof_command(CLI::App& program);
 Command ray_command(CLI::App& program);

@@ -34,6 +34,7 @@ Manual inside_manual();
 Manual intersect_manual();
 Manual nearest_manual();
 Manual pairs_manual();
+Manual parts_manual();
 Manual plan_manual();
 Manual ray_manual();
 Manual repair_manual();

@@ -14,7 +14,8 @@ std::vector<Command> commands_of(CLI::App& app) {
           sign_command(app),    proof_command(app),     doctor_command(app),   ray_command(app),
           bvh_command(app),     intersect_command(app), distance_command(app), convex_command(app),
           inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
-          convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app)};
+          convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app),
+          parts_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
@@ -33,8 +34,8 @@ std::string instead_of(const std::string& word) {
           "meshes are not simplified or made anew yet; 'plumb repair' mends them, with no more "
           "change than that takes",
       parts =
-          "meshes are not parted into convex pieces yet; 'plumb convex' answers for their "
-          "convex hulls, 'plumb bvh' builds trees over them as they are",
+          "'plumb parts' parts solids into convex ones or covers them with hulls; of polygons "
+          "in the plane the library does that (docs/triangulation.md)",
       scenes =
           "scenes are not played yet; 'plumb pairs' finds boxes that overlap, 'plumb "
           "distance' how far two meshes are apart, the library when moving figures meet",
@@ -67,7 +68,7 @@ std::string instead_of(const std::string& word) {
   for (const auto& [stem, text] : stems) {
     if (plain.starts_with(stem)) return std::string(text);
   }
-  return plain == "parts" ? std::string(parts) : "";
+  return "";
 }
 
 }  // namespace
