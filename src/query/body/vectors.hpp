@@ -79,5 +79,9 @@ template <class T>
   return {coordinate_difference<T>(to.x, from.x), coordinate_difference<T>(to.y, from.y),
           coordinate_difference<T>(to.z, from.z)};
 }
+template <class T>
+[[gnu::always_inline]] inline Vec3<T> between(const Vec3<T>& from, const Vec3<T>& to) {
+  return to - from;
+}
 
 }  // namespace plumb::query

@@ -15,48 +15,47 @@
 
 namespace plumb::query {
 
-template <class T>
+template <class T, class P = Point3>
 struct Found {
-  ClosePair<T, Point3> pair;
+  ClosePair<T, P> pair;
   Feature a, b;
 };
 
-template <class T>
-Edge3<T> point_edge(const Point3& p) {
-  const T zero(0.0);
-  return {p, p, {zero, zero, zero}, true, false, true, 0};
-}
-
-template <class T>
-bool strictly_on(const Edge3<T>& e, const Point3& p, CertainSigns& ask) {
+template <class T, class P>
+bool strictly_on(const Linear<Vec3<T>, P>& e, const P& p, CertainSigns& ask) {
   return place_near<T>(e, p, ask) == SpotOnLine::inside;
 }
 
 /// The closest pair of two edges, if it is one alone and within both.
-template <class T>
-bool cross_within(const Edge3<T>& e, const Edge3<T>& f, CertainSigns& ask) {
+template <class T, class P>
+std::optional<ClosePair<T, P>> pair_within(const Linear<Vec3<T>, P>& e, const Linear<Vec3<T>, P>& f,
+                                           CertainSigns& ask) {
   const Vec3<T> n = cross(e.along, f.along), w = between<T>(e.from, f.from);
   const T whole = dot(n, n);
-  if (ask(whole) != Sign::positive) return false;
-  return place_on(e, dot(cross(w, f.along), n), whole, ask) == SpotOnLine::inside &&
-         place_on(f, dot(cross(w, e.along), n), whole, ask) == SpotOnLine::inside;
+  if (ask(whole) != Sign::positive) return {};
+  const T on_e = dot(cross(w, f.along), n);
+  if (place_on(e, on_e, whole, ask) != SpotOnLine::inside) return {};
+  const T on_f = dot(cross(w, e.along), n);
+  if (place_on(f, on_f, whole, ask) != SpotOnLine::inside) return {};
+  const T gap = dot(w, n);
+  return ClosePair<T, P>{{e.from, e.along, on_e, whole}, {f.from, f.along, on_f, whole}, gap * gap, whole};
+}
+template <class T, class P>
+bool cross_within(const Linear<Vec3<T>, P>& e, const Linear<Vec3<T>, P>& f, CertainSigns& ask) {
+  return pair_within(e, f, ask).has_value();
 }
 
-template <class T>
-bool projects_within(const TriangleFace<T>& face, const Point3& p, CertainSigns& ask) {
+template <class T, class P>
+bool projects_within(const TriangleFace<T, P>& face, const P& p, CertainSigns& ask) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (ask(dot(face.inward[i], between<T>(face.corner[i], p))) != Sign::positive) return false;
   }
   return true;
 }
 
-/// Does the edge cross the plane of the face strictly within both?  `rise`: that of the normal along the edge.
-template <class T>
-bool crosses_within(const Edge3<T>& e, const TriangleFace<T>& face, const T& rise, CertainSigns& ask) {
-  const Sign up = ask(rise);
-  if (up == Sign::zero) return false;
-  if (e.starts && ask(dot(face.normal, between<T>(face.corner[0], e.from))) * up != Sign::negative) return false;
-  if (e.ends && ask(dot(face.normal, between<T>(face.corner[0], e.to))) * up != Sign::positive) return false;
+/// Does the edge's line, which goes through the plane this way, pass strictly within the face?
+template <class T, class P>
+bool passes_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face, Sign up, CertainSigns& ask) {
   const std::array<Vec3<T>, 3> to{between<T>(e.from, face.corner[0]), between<T>(e.from, face.corner[1]),
                                   between<T>(e.from, face.corner[2])};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,62 +63,102 @@ bool crosses_within(const Edge3<T>& e, const TriangleFace<T>& face, const T& ris
   }
   return true;
 }
+/// Does the edge cross the plane of the face strictly within both?  `rise`: that of the normal along the edge.
+template <class T, class P>
+bool crosses_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face, const T& rise, CertainSigns& ask) {
+  const Sign up = ask(rise);
+  if (up == Sign::zero) return false;
+  if (e.starts && ask(dot(face.normal, between<T>(face.corner[0], e.from))) * up != Sign::negative) return false;
+  if (e.ends && ask(dot(face.normal, between<T>(face.corner[0], e.to))) * up != Sign::positive) return false;
+  return passes_within(e, face, up, ask);
+}
 
-template <class T>
-PointOn<T, Point3> fixed(const Point3& p) {
+template <class T, class P>
+PointOn<T, P> fixed(const P& p) {
   const T zero(0.0);
   return {p, {zero, zero, zero}, zero, T(1.0)};
 }
 
-template <class T>
-ClosePair<T, Point3> vertex_face_pair(const Point3& v, const TriangleFace<T>& face) {
+template <class T, class P>
+ClosePair<T, P> vertex_pair(const P& v, const P& w) {
+  const Vec3<T> to = between<T>(v, w);
+  return {fixed<T>(v), fixed<T>(w), dot(to, to), T(1.0)};
+}
+template <class T, class P>
+ClosePair<T, P> vertex_edge_pair(const P& v, const Linear<Vec3<T>, P>& e) {
+  const Vec3<T> to = between<T>(e.from, v), c = cross(to, e.along);
+  const T whole = dot(e.along, e.along);
+  return {fixed<T>(v), {e.from, e.along, dot(to, e.along), whole}, dot(c, c), whole};
+}
+/// Does the vertex project strictly into the edge?
+template <class T, class P>
+std::optional<ClosePair<T, P>> pair_within(const P& v, const Linear<Vec3<T>, P>& e, CertainSigns& ask) {
+  const Vec3<T> to = between<T>(e.from, v);
+  const T part = dot(to, e.along), whole = dot(e.along, e.along);
+  if (place_on(e, part, whole, ask) != SpotOnLine::inside) return {};
+  const Vec3<T> c = cross(to, e.along);
+  return ClosePair<T, P>{fixed<T>(v), {e.from, e.along, part, whole}, dot(c, c), whole};
+}
+template <class T, class P>
+ClosePair<T, P> vertex_face_pair(const P& v, const TriangleFace<T, P>& face) {
   const T gap = dot(face.normal, between<T>(v, face.corner[0]));
   return {fixed<T>(v), {v, face.normal, gap, face.whole}, gap * gap, face.whole};
 }
 
-template <class T>
-ClosePair<T, Point3> crossing_pair(const Edge3<T>& e, const TriangleFace<T>& face, const T& rise, bool up) {
-  const T zero(0.0), gap = dot(face.normal, between<T>(e.from, face.corner[0]));
-  const PointOn<T, Point3> p{e.from, e.along, up ? gap : zero - gap, up ? rise : zero - rise};
-  return {p, p, zero, T(1.0)};
+/// Where the edge crosses the face, strictly within both.
+template <class T, class P>
+std::optional<ClosePair<T, P>> pair_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face,
+                                           CertainSigns& ask) {
+  const T zero(0.0), rise = dot(e.along, face.normal), gap = dot(face.normal, between<T>(e.from, face.corner[0]));
+  const Sign up = ask(rise);
+  if (up == Sign::zero || (e.starts && ask(gap) * up != Sign::positive)) return {};
+  if ((e.ends && ask(rise - gap) * up != Sign::positive) || !passes_within(e, face, up, ask)) return {};
+  const bool rises = up == Sign::positive;
+  const PointOn<T, P> p{e.from, e.along, rises ? gap : zero - gap, rises ? rise : zero - rise};
+  return ClosePair<T, P>{p, p, zero, T(1.0)};
 }
 
-template <class T>
-ClosePair<T, Point3> turned(const ClosePair<T, Point3>& p) {
+template <class T, class P>
+ClosePair<T, P> turned(const ClosePair<T, P>& p) {
   return {p.b, p.a, p.square, p.square_whole};
 }
 
 /// Which comes first in lexicographic order: negative for p.
-template <class T>
-Sign lexicographic(const PointOn<T, Point3>& p, const PointOn<T, Point3>& q, CertainSigns& ask) {
-  const auto against = [&](double p_base, const T& p_along, double q_base, const T& q_along) {
-    const T from_base = coordinate_difference<T>(p_base, q_base) * p.whole * q.whole;
-    return ask(from_base + (p_along * p.numerator * q.whole - q_along * q.numerator * p.whole));
+template <class T, class P>
+Sign lexicographic(const PointOn<T, P>& p, const PointOn<T, P>& q, CertainSigns& ask) {
+  const auto against = [&](const T& beyond, const T& p_along, const T& q_along) {
+    return ask(beyond * p.whole * q.whole + (p_along * p.numerator * q.whole - q_along * q.numerator * p.whole));
   };
-  Sign s = against(p.base.x, p.along.x, q.base.x, q.along.x);
-  if (s == Sign::zero) s = against(p.base.y, p.along.y, q.base.y, q.along.y);
-  if (s == Sign::zero) s = against(p.base.z, p.along.z, q.base.z, q.along.z);
+  const Vec3<T> beyond = between<T>(q.base, p.base);
+  Sign s = against(beyond.x, p.along.x, q.along.x);
+  if (s == Sign::zero) s = against(beyond.y, p.along.y, q.along.y);
+  if (s == Sign::zero) s = against(beyond.z, p.along.z, q.along.z);
   return s;
 }
 
+/// Which of several that are as near is told?
+enum class LeastOf : unsigned char { first_in_order, any };
+
 /// Keeps the least of what it is shown.
-template <class T>
+template <class T, class P>
 class Least {
  public:
-  explicit Least(CertainSigns& ask) : ask_(ask) {}
-  void see(const ClosePair<T, Point3>& pair, Feature a, Feature b) {
+  Least(LeastOf of, CertainSigns& ask) : of_(of), ask_(ask) {}
+  void see(const ClosePair<T, P>& pair, Feature a, Feature b) {
     if (best_) {
       const Sign s = ask_(pair.square * best_->pair.square_whole - best_->pair.square * pair.square_whole);
       if (s == Sign::positive) return;
+      if (s == Sign::zero && of_ == LeastOf::any) return;
       if (s == Sign::zero && lexicographic(pair.a, best_->pair.a, ask_) != Sign::negative) return;
     }
-    best_ = Found<T>{pair, a, b};
+    best_ = Found<T, P>{pair, a, b};
   }
-  [[nodiscard]] const std::optional<Found<T>>& best() const { return best_; }
+  [[nodiscard]] const std::optional<Found<T, P>>& best() const { return best_; }
 
  private:
+  LeastOf of_;
   CertainSigns& ask_;
-  std::optional<Found<T>> best_;
+  std::optional<Found<T, P>> best_;
 };
 
 constexpr Feature vertex_number(std::uint32_t i) { return {FeatureKind::vertex, i}; }
@@ -127,43 +166,39 @@ constexpr Feature edge_number(std::uint32_t i) { return {FeatureKind::edge, i}; 
 inline constexpr Feature the_face{FeatureKind::face, 0};
 
 /// Those of the pairs of features that are on the list.  Nothing only where a sign was not certain.
-template <class T>
+template <class T, class P = Point3>
 class FeatureSearch {
  public:
-  FeatureSearch(const Body<T>& p, const Body<T>& q, const Shortlist& list, CertainSigns& ask)
-      : p_(p), q_(q), list_(list), ask_(ask), least_(ask) {}
+  FeatureSearch(const Body<T, P>& p, const Body<T, P>& q, const Shortlist& list, CertainSigns& ask,
+                LeastOf of = LeastOf::first_in_order)
+      : p_(p), q_(q), list_(list), ask_(ask), least_(of, ask) {}
 
-  std::optional<Found<T>> run() {
+  std::optional<Found<T, P>> run() {
     for_all(p_.vertex_count, q_.vertex_count, list_.vertices, [&](std::uint32_t i, std::uint32_t j) {
-      least_.see(close_pair<T>(point_edge<T>(p_.vertex[i]), point_edge<T>(q_.vertex[j]),
-                               {SpotOnLine::start, SpotOnLine::start}),
-                 vertex_number(i), vertex_number(j));
+      least_.see(vertex_pair<T>(p_.vertex[i], q_.vertex[j]), vertex_number(i), vertex_number(j));
     });
     for_all(p_.vertex_count, q_.edge_count, list_.vertex_edge, [&](std::uint32_t i, std::uint32_t j) {
       const auto& [edge, index] = q_.edges[j];
-      if (strictly_on(edge, p_.vertex[i], ask_))
-        least_.see(close_pair<T>(point_edge<T>(p_.vertex[i]), edge, {SpotOnLine::start, SpotOnLine::inside}),
-                   vertex_number(i), edge_number(index));
+      if (const auto pair = pair_within<T>(p_.vertex[i], edge, ask_))
+        least_.see(*pair, vertex_number(i), edge_number(index));
     });
     for_all(p_.edge_count, q_.vertex_count, list_.edge_vertex, [&](std::uint32_t i, std::uint32_t j) {
       const auto& [edge, index] = p_.edges[i];
-      if (strictly_on(edge, q_.vertex[j], ask_))
-        least_.see(close_pair<T>(edge, point_edge<T>(q_.vertex[j]), {SpotOnLine::inside, SpotOnLine::start}),
-                   edge_number(index), vertex_number(j));
+      if (const auto pair = pair_within<T>(q_.vertex[j], edge, ask_))
+        least_.see(turned(*pair), edge_number(index), vertex_number(j));
     });
     for_all(p_.edge_count, q_.edge_count, list_.edges, [&](std::uint32_t i, std::uint32_t j) {
       const auto &e = p_.edges[i], &f = q_.edges[j];
-      if (cross_within(e.edge, f.edge, ask_))
-        least_.see(close_pair<T>(e.edge, f.edge, {SpotOnLine::inside, SpotOnLine::inside}), edge_number(e.index),
-                   edge_number(f.index));
+      if (const auto pair = pair_within<T>(e.edge, f.edge, ask_))
+        least_.see(*pair, edge_number(e.index), edge_number(f.index));
     });
     if (q_.face) {
       on_face(p_, *q_.face, list_.vertex_face, list_.edge_face,
-              [&](const ClosePair<T, Point3>& pair, Feature f) { least_.see(pair, f, the_face); });
+              [&](const ClosePair<T, P>& pair, Feature f) { least_.see(pair, f, the_face); });
     }
     if (p_.face) {
       on_face(q_, *p_.face, list_.face_vertex, list_.face_edge,
-              [&](const ClosePair<T, Point3>& pair, Feature f) { least_.see(turned(pair), the_face, f); });
+              [&](const ClosePair<T, P>& pair, Feature f) { least_.see(turned(pair), the_face, f); });
     }
     return least_.best();
   }
@@ -178,7 +213,7 @@ class FeatureSearch {
     }
   }
   template <class See>
-  void on_face(const Body<T>& p, const TriangleFace<T>& face, const std::array<bool, 3>& vertices,
+  void on_face(const Body<T, P>& p, const TriangleFace<T, P>& face, const std::array<bool, 3>& vertices,
                const std::array<bool, 3>& edges, See see) {
     for (std::uint32_t i = 0; i < p.vertex_count; ++i) {
       if (vertices[i] && projects_within(face, p.vertex[i], ask_))
@@ -187,17 +222,15 @@ class FeatureSearch {
     for (std::uint32_t i = 0; i < p.edge_count; ++i) {
       if (!edges[i]) continue;
       const auto& [edge, index] = p.edges[i];
-      const T rise = dot(edge.along, face.normal);
-      if (crosses_within(edge, face, rise, ask_))
-        see(crossing_pair(edge, face, rise, ask_(rise) == Sign::positive), edge_number(index));
+      if (const auto pair = pair_within<T>(edge, face, ask_)) see(*pair, edge_number(index));
     }
   }
 
-  const Body<T>& p_;
-  const Body<T>& q_;
+  const Body<T, P>& p_;
+  const Body<T, P>& q_;
   const Shortlist& list_;
   CertainSigns& ask_;
-  Least<T> least_;
+  Least<T, P> least_;
 };
 
 }  // namespace plumb::query

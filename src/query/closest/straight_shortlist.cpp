@@ -30,7 +30,7 @@ Weight vertex_edge(const Point3& v, const Edge3<A>& e) {
   CertainSigns ask;
   const bool on = strictly_on(e, v, ask);
   if (ask.certain() && !on) return gone;
-  const auto pair = close_pair<A>(point_edge<A>(v), e, {SpotOnLine::start, SpotOnLine::inside});
+  const auto pair = vertex_edge_pair(v, e);
   return weight(pair.square, pair.square_whole, ask.certain());
 }
 

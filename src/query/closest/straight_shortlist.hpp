@@ -20,6 +20,11 @@ struct Shortlist {
   Table<bool> vertices, vertex_edge, edge_vertex, edges;  // [of a][of b]
   std::array<bool, 3> vertex_face, edge_face, face_vertex, face_edge;
 };
+inline constexpr Shortlist everything = [] {
+  constexpr std::array<bool, 3> all{true, true, true};
+  constexpr Shortlist::Table<bool> pairs{all, all, all};
+  return Shortlist{pairs, pairs, pairs, pairs, all, all, all, all};
+}();
 
 Shortlist shortlist(const Straight<Point3>& a, const Triangle3& b);
 Shortlist shortlist(const Triangle3& a, const Triangle3& b);

@@ -5,19 +5,12 @@
 // are those of the box, the normal of a triangle, and cross products of an edge with an axis, of two terms each.
 // Over doubles with bounds of their errors first, then over pairs of doubles and integers: one statement of each question
 // (query/overlap/box_quick.hpp, figure/obb/quick.hpp).  What is flat there is asked as all figures with
-// straight edges are; of two boxes, of the difference's facets in integers.
+// straight edges are.
 // Source: RTCD 5.2.1, 5.2.9, 5.3.3, 4.4.1.
-#include <optional>
-
-#include "figure/minkowski/zonotope.hpp"
 #include "figure/obb/quick.hpp"
-#include "plumb/arith/big.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/body/vectors.hpp"
 #include "query/overlap/box_quick.hpp"
 #include "query/overlap/pair_answer.hpp"
-#include "query/overlap/shapes3.hpp"
-#include "query/overlap/signs.hpp"
 
 namespace plumb {
 namespace query {
@@ -37,26 +30,6 @@ Relation relate_obb(const Shape& a, const Obb3& b, Question question) {
   return relate_flat(view_of(a), view_of(b));
 }
 
-// Twice the distance of the centers, twice the extents.
-Relation exactly(const Aabb3& a, const Obb3& b) {
-  const auto number = [](double x) { return BigDyadic(x); };
-  const auto between = [&](double x, double y) { return number(y) - number(x); };
-  const auto generator = [&](const Vector3& axis, double half) {
-    const BigDyadic twice = number(half) * number(2);
-    return BigVector{number(axis.x) * twice, number(axis.y) * twice, number(axis.z) * twice};
-  };
-  const auto from_center = [&](double min, double max, double center) {
-    return between(min, center) + between(max, center);
-  };
-  const BigDyadic zero(0);
-  return locate_origin(
-      BigVector{from_center(a.min.x, a.max.x, b.center.x), from_center(a.min.y, a.max.y, b.center.y),
-                from_center(a.min.z, a.max.z, b.center.z)},
-      std::array{BigVector{between(a.min.x, a.max.x), zero, zero}, BigVector{zero, between(a.min.y, a.max.y), zero},
-                 BigVector{zero, zero, between(a.min.z, a.max.z)}, generator(b.axes[0], b.half.x),
-                 generator(b.axes[1], b.half.y), generator(b.axes[2], b.half.z)});
-}
-
 }  // namespace
 PLUMB_PAIR_ANSWER(Line3, Obb3, relate_obb)
 PLUMB_PAIR_ANSWER(Ray3, Obb3, relate_obb)
@@ -70,7 +43,7 @@ Relation relate_pair(PairFunction<Aabb3, Obb3>, const Aabb3& a, const Obb3& b, Q
   require_figures(question, a, b);
   if (is_empty(a)) return Relation::disjoint;
   if (const auto r = near_relation(a, b)) return *r;
-  return exactly(a, b);
+  return relate_flat(view_of(a), view_of(b));
 }
 
 }  // namespace query
