@@ -1,5 +1,5 @@
 // The face of meshes and their files: what is in a file, is it a clean surface, what makes it one, where does a plane cut
-// it, and how are polygons, points and segments of a plane divided?
+// it, and how are solids, polygons, points and segments of a plane divided?
 //
 // Meshes are plain structs, with whatever a file from the wild has in it (docs/meshes.md).
 // Source: docs/sections.md, chapters 2 and 12.
@@ -10,6 +10,7 @@
 #include "plumb/surface/file/mesh_file.hpp"              // formats, and MeshFileError
 #include "plumb/surface/file/read_mesh.hpp"              // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
 #include "plumb/surface/file/write_mesh.hpp"             // to a file, or to text
+#include "plumb/surface/parts/convex_parts.hpp"          // solids into convex ones
 #include "plumb/surface/planar/arrange_segments.hpp"     // crossings, edges, faces and windings of segments
 #include "plumb/surface/planar/convex_pieces.hpp"        // polygons into convex ones
 #include "plumb/surface/planar/delaunay.hpp"             // points and segments into triangles
