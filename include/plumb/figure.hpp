@@ -12,6 +12,7 @@
 #include "plumb/certify/accepted.hpp"             // first, so that what a compiler says of a misuse is short
 #include "plumb/certify/answered.hpp"             // what is said where there is no answer, of signs
 #include "plumb/figure/basic/answered.hpp"        // of figures
+#include "plumb/figure/basic/equal_points.hpp"    // which points are one and the same
 #include "plumb/figure/basic/pose_view.hpp"       // any pose as one argument
 #include "plumb/figure/basic/relation.hpp"        // Location, Relation
 #include "plumb/figure/basic/rigid_poses.hpp"     // rigid poses one after the other, their inverses, their matrices

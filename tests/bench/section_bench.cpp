@@ -14,6 +14,7 @@
 
 #include "figure/basic/solids.hpp"
 #include "plumb/certify/thread_limit.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/surface.hpp"
 
 namespace plumb::bench {

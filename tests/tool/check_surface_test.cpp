@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "figure/basic/solids.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
 #include "tool/check/surface.hpp"
 #include "tool/matchers.hpp"

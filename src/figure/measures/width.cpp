@@ -12,7 +12,10 @@
 namespace plumb {
 namespace {
 
-using namespace figure::signed_sums;
+using figure::signed_sums::cross;
+using figure::signed_sums::dot;
+using figure::signed_sums::Vector;
+using figure::signed_sums::vector;
 namespace exact_sum = arith::exact_sum;
 
 /// An edge of the hull, and a vertex of each face beside it that is not on it.

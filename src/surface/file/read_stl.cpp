@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plumb/surface/topology/topology.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "surface/file/byte_reader.hpp"
 #include "surface/file/mesh_parsers.hpp"
 #include "surface/file/text_lines.hpp"

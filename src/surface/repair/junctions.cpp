@@ -5,6 +5,7 @@
 
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/certify/direction.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/space/kd_tree/point_range.hpp"
 #include "plumb/surface/topology/defects.hpp"
 #include "plumb/surface/topology/topology.hpp"

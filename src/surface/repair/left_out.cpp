@@ -1,6 +1,7 @@
 // What is one too many: triangles on the same points, walls, small components.
 #include <algorithm>
 
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/surface/topology/components.hpp"
 #include "plumb/surface/topology/defects.hpp"
 #include "plumb/surface/topology/shells.hpp"

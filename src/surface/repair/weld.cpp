@@ -4,6 +4,7 @@
 
 #include "figure/basic/mesh_input.hpp"
 #include "plumb/certify/compare_distance.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/space/kd_tree/point_range.hpp"
 #include "plumb/surface/topology/topology.hpp"
 #include "surface/repair/moved.hpp"

@@ -1,10 +1,10 @@
 // Orientation: triangles of a component that agree, and closed shells that are not inside out.
 #include <algorithm>
 
+#include "figure/basic/lists_by_number.hpp"
 #include "plumb/surface/topology/shells.hpp"
 #include "surface/repair/point_order.hpp"
 #include "surface/repair/steps.hpp"
-#include "surface/topology/triangle_lists.hpp"
 #include "surface/topology/windings.hpp"
 
 namespace plumb::surface {
@@ -37,7 +37,7 @@ void turn(TriangleMesh::Triangle& t) { std::swap(t[1], t[2]); }
 void orientation_step(RepairWork& work) {
   TriangleMesh& mesh = work.mesh;
   const Windings windings = find_windings(mesh, find_edges(mesh));
-  const TriangleLists components(windings.components.of, windings.components.count);
+  const figure::ListsByNumber components(windings.components.of, windings.components.count);
   for (std::uint32_t c = 0; c < windings.components.count; ++c) {
     const auto triangles = components[c];
     std::size_t against = 0;

@@ -4,7 +4,9 @@
 #include <limits>
 #include <tuple>
 
+#include "figure/basic/lists_by_number.hpp"
 #include "plumb/arith/error.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/kd_tree/nearest_point.hpp"
@@ -12,7 +14,6 @@
 #include "surface/topology/between.hpp"
 #include "surface/topology/disjoint_sets.hpp"
 #include "surface/topology/mesh_corner.hpp"
-#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb {
 namespace {
@@ -123,7 +124,7 @@ std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh, s
   std::vector<std::uint32_t> least(mesh.triangles.size());
   for (std::uint32_t t = 0; t < least.size(); ++t)
     least[t] = names_a_vertex_twice(points(t)) ? none : std::ranges::min(points(t));
-  const surface::TriangleLists at_point(least, first.size());
+  const figure::ListsByNumber at_point(least, first.size());
   std::vector<CoincidentTriangle> found;
   std::vector<Placed> placed;
   for (std::uint32_t v = 0; v < first.size(); ++v) {

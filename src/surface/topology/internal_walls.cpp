@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "figure/basic/lists_by_number.hpp"
 #include "surface/topology/around_edge.hpp"
 #include "surface/topology/disjoint_sets.hpp"
 #include "surface/topology/signed_volume.hpp"
-#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb::surface {
 namespace {
@@ -51,8 +51,8 @@ void find_dividing_walls(const TriangleMesh& mesh, const MeshEdges& edges, Shell
 
   std::vector<std::uint32_t> cell_of(2 * std::size_t{n});
   for (std::uint32_t s = 0; s < 2 * n; ++s) cell_of[s] = sides.find(s);
-  const TriangleLists cells(cell_of, 2 * std::size_t{n});  // of sides
-  std::vector<std::uint32_t> outer(n, no_shell);           // of each surface
+  const figure::ListsByNumber cells(cell_of, 2 * std::size_t{n});  // of sides
+  std::vector<std::uint32_t> outer(n, no_shell);                   // of each surface
   std::vector<bool> is_outer(2 * std::size_t{n});
   for (std::uint32_t c = 0; c < 2 * n; ++c) {
     if (cells[c].empty() || found.shell_of[c / 2] == no_shell) continue;

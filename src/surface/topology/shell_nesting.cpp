@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "figure/basic/lists_by_number.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "query/ray/crossings.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/ray/along_x.hpp"
 #include "surface/topology/middle_crossing.hpp"
-#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb::surface {
 namespace {
@@ -45,7 +45,7 @@ void merge(std::vector<Sight>& sights) {
 
 std::vector<Place> places_on(const TriangleMesh& mesh, const std::vector<std::uint8_t>& at_others,
                              const Shells& found) {
-  const TriangleLists triangles(found.shell_of, found.shells.size());
+  const figure::ListsByNumber triangles(found.shell_of, found.shells.size());
   std::vector<std::uint32_t> last_shell(mesh.vertices.size(), no_shell);
   std::vector<Place> places;
   for (std::uint32_t s = 0; s < found.shells.size(); ++s) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "figure/basic/lists_by_number.hpp"
 #include "plumb/predicates.hpp"
 #include "space/bvh/slot_triangles.hpp"
 #include "space/pairs/pair_search.hpp"
@@ -11,7 +12,6 @@
 #include "surface/topology/mesh_corner.hpp"
 #include "surface/topology/shell_nesting.hpp"
 #include "surface/topology/signed_volume.hpp"
-#include "surface/topology/triangle_lists.hpp"
 
 namespace plumb {
 namespace {
@@ -61,7 +61,7 @@ void judge_edges(const MeshEdges& edges, Shells& found) {
 }
 
 void measure(const TriangleMesh& mesh, Shells& found) {
-  const surface::TriangleLists triangles(found.shell_of, found.shells.size());
+  const figure::ListsByNumber triangles(found.shell_of, found.shells.size());
   const auto as_it_is = [](std::uint32_t t) { return surface::SidedTriangle{t, false}; };
   for (std::size_t i = 0; i < found.shells.size(); ++i) {
     Shell& s = found.shells[i];

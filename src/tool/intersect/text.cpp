@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/surface/topology/topology.hpp"
 #include "tool/intersect/command.hpp"
 #include "tool/terminal/number_text.hpp"

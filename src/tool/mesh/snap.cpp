@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plumb/certify/sign_of.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/predicates/cross.hpp"
 #include "plumb/query/closest/closest.hpp"

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "figure/basic/solids.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/figure/measures/measures.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/query/overlap/overlap.hpp"

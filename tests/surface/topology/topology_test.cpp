@@ -9,6 +9,7 @@
 #include <random>
 
 #include "plumb/certify/direction.hpp"
+#include "plumb/figure/basic/equal_points.hpp"
 
 namespace plumb {
 namespace {

@@ -63,7 +63,4 @@ struct MeshStatistics {
 MeshStatistics mesh_statistics(const TriangleMesh& mesh, const MeshEdges& edges);
 MeshStatistics mesh_statistics(const TriangleMesh& mesh);
 
-/// For each point the smallest number of a point equal to it (-0 equals +0), its own where there is none.
-std::vector<std::uint32_t> first_equal(std::span<const Point3> points);
-
 }  // namespace plumb
