@@ -32,7 +32,7 @@ class ShortList {
   [[nodiscard]] const T& operator[](std::size_t i) const { return begin()[i]; }
 
  private:
-  std::array<T, N> few_;
+  std::array<T, N> few_{};
   std::vector<T> many_;
   std::size_t size_ = 0;
 };
