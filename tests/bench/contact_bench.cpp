@@ -2,8 +2,9 @@
 // before, and Bullet's box detector and GJK with the expanding polytope algorithm.
 //
 // Scenes: a crate on a table, turned about the upright axis and so resting exactly, a millimeter above, a millimeter in
-// it; the same on a slope, where no axis is exactly parallel to another; hulls of 32 vertices that overlap barely, or are
-// barely apart.  Bullet's boxes tell nothing of what is apart; its hulls tell one point a call.
+// it; the same on a slope, where no axis is exactly parallel to another; the neighbors in towers of four crates that all but
+// rest, as in docs/examples/stack; hulls of 32 vertices that overlap barely, or are barely apart.  Bullet's boxes tell
+// nothing of what is apart; its hulls tell one point a call.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -38,6 +39,31 @@ Pairs<Obb3> crates(double slope, double height) {
     const Vector3 up = under[1];
     const double h = 1 + height;
     all.emplace_back(Obb3{{h * up.x, h * up.y, h * up.z}, upon, {0.5, 0.5, 0.5}}, Obb3{{0, 0, 0}, under, {8, 0.5, 8}});
+  }
+  return all;
+}
+
+/// Sunk into one another by what impulses leave, and tilted by as little; axes of quaternions, rounded.
+Pairs<Obb3> tower() {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> n;
+  const auto tilted = [&] {
+    const double x = 1e-5 * n(random), y = 0.2 * n(random), z = 1e-5 * n(random),
+                 w = std::sqrt(1 - x * x - y * y - z * z);
+    return std::array{Vector3{1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+                      Vector3{2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+                      Vector3{2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)}};
+  };
+  Pairs<Obb3> all;
+  while (all.size() < 64) {
+    Obb3 under{{0, -0.5, 0}, {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, {20, 0.5, 20}};  // the ground
+    double top = 0;
+    for (int level = 0; level < 4; ++level, top += 1) {
+      const double sunk = 2e-4 * std::fabs(n(random)) + 1e-5;
+      const Obb3 crate{{0.02 * n(random), top + 0.5 - sunk, 0.02 * n(random)}, tilted(), {0.5, 0.5, 0.5}};
+      all.emplace_back(crate, under);
+      under = crate, top -= sunk;
+    }
   }
   return all;
 }
@@ -102,6 +128,7 @@ const bool added = [] {
       add<Obb3>(name, make, 0.01);
     }
   }
+  add<Obb3>("stack", tower, 0.02);
   const auto near = [] { return hulls(1.95); };
   const auto deep = [] { return hulls(1.6); };
   add<ConvexPolyhedron3>("hulls32/apart", near, 0.5);

@@ -86,7 +86,6 @@ class View {
       return ways_(i, [&] { return is_side_ ? edge_between(i, next(i)) : at(next(i)) - at(i); });
     }
   }
-  [[nodiscard]] Feature vertex(std::size_t i) const { return surface_feature(seen, FeatureKind::vertex, f.corners[i]); }
 
  private:
   static constexpr bool is_cheap = requires(const T& x) { x.magnitude; };
@@ -127,6 +126,10 @@ class Sides {
         sign_.push_back(end == 0 ? s : -s);
       }
     }
+  }
+  /// Of a parallelogram and another one, edge by edge.
+  explicit Sides(const std::array<Sign, 16>& sign) : lines_(4), vertices_(4), is_segment_(false) {
+    for (const Sign s : sign) sign_.push_back(s);
   }
   [[nodiscard]] Sign operator()(std::size_t line, std::size_t vertex) const { return sign_[line * vertices_ + vertex]; }
 
@@ -178,11 +181,22 @@ class Sides {
   parting::ShortList<Sign, 32> sign_;
 };
 
-template <class T>
-Feature feature_of(const View<T>& v, const Sides::Place& place) {
-  if (place.kind == FeatureKind::face) return v.f.face;
-  return place.kind == FeatureKind::edge ? v.f.edges[place.index] : v.vertex(place.index);
-}
+/// A feature of a body.
+struct SeenFeature {
+  const Seen& seen;
+  const Facing& f;
+
+  [[nodiscard]] std::size_t size() const { return f.corners.size(); }
+  [[nodiscard]] std::size_t edges() const { return f.edges.size(); }
+  [[nodiscard]] Feature vertex(std::size_t i) const { return surface_feature(seen, FeatureKind::vertex, f.corners[i]); }
+  [[nodiscard]] Feature at(const Sides::Place& place) const {
+    if (place.kind == FeatureKind::face) return f.face;
+    return place.kind == FeatureKind::edge ? f.edges[place.index] : vertex(place.index);
+  }
+};
+
+/// By the sides of each one's edges that the other's corners are on.
+FoundCorners found_corners(const SeenFeature& a, const SeenFeature& b, const Sides& on_a, const Sides& on_b);
 
 /// `normal` leads from a to b, back along the way.
 template <class T>
@@ -193,36 +207,7 @@ FoundCorners common_corners(const View<T>& a, const View<T>& b, const Vec<T>& no
     return [&way, body](Index i, Index k, Index j) { return way.is_before(body, i, k, j); };
   };
   const Sides on_a(a, normal, b, is_on(0), ask), on_b(b, back, a, is_on(1), ask);
-  FoundCorners found;
-  for (std::size_t j = 0; j < b.size() && (a.size() > 1 || b.size() == 1); ++j) {
-    const auto p = on_a.place(j);
-    if (!p) continue;
-    const bool both = p->kind == FeatureKind::vertex;
-    found.push_back({both ? CornerKind::both_vertices : CornerKind::vertex_of_b,
-                     static_cast<Index>(both ? p->index : 0),
-                     static_cast<Index>(j),
-                     {feature_of(a, *p), b.vertex(j)}});
-  }
-  for (std::size_t i = 0; i < a.size() && b.size() > 1; ++i) {
-    const auto p = on_b.place(i);
-    if (!p) continue;
-    const bool both = p->kind == FeatureKind::vertex;
-    if (both && a.size() > 1) continue;  // named before
-    found.push_back({both ? CornerKind::both_vertices : CornerKind::vertex_of_a,
-                     static_cast<Index>(i),
-                     static_cast<Index>(both ? p->index : 0),
-                     {a.vertex(i), feature_of(b, *p)}});
-  }
-  for (std::size_t i = 0; i < a.edges(); ++i) {
-    const std::size_t next = i + 1 == a.size() ? 0 : i + 1;
-    for (std::size_t j = 0; j < b.edges(); ++j) {
-      const std::size_t after = j + 1 == b.size() ? 0 : j + 1;
-      const auto differ = [](Sign s, Sign t) { return s != Sign::zero && s == -t; };
-      if (!differ(on_a(i, j), on_a(i, after)) || !differ(on_b(j, i), on_b(j, next))) continue;
-      found.push_back({CornerKind::edges, static_cast<Index>(i), static_cast<Index>(j), {a.f.edges[i], b.f.edges[j]}});
-    }
-  }
-  return found;
+  return found_corners({a.seen, a.f}, {b.seen, b.f}, on_a, on_b);
 }
 
 }  // namespace plumb::query::touching

@@ -9,6 +9,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "query/contact/corner_numbers.hpp"
+#include "query/contact/quick_match.hpp"
 #include "query/contact/quick_numbers.hpp"
 
 namespace plumb::query {
@@ -29,8 +30,9 @@ bool match(const Pair& pair, Matched& m) {
 }
 Matched matched(const Pair& pair) {
   Matched m{{pair.seen(0), pair.seen(1)}, {}, {}};
-  if (!match<Approximate>(pair, m) && !match<Running>(pair, m) && !match<Ball>(pair, m))
+  if (!match_boxes(pair, m) && !match<Approximate>(pair, m) && !match<Running>(pair, m) && !match<Ball>(pair, m)) {
     (void)match<BigDyadic>(pair, m);
+  }
   std::sort(m.corners.begin(), m.corners.end(), [](const Found& p, const Found& q) { return p.id < q.id; });
   return m;
 }

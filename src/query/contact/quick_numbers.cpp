@@ -42,12 +42,13 @@ PLUMB_WITH_FMA std::optional<Whole> whole_fused(const Pair& p, Open& open, const
 /// What is told of the corners so far, and what is known of those that are not.
 struct CornersSoFar {
   QuickCorners told;
-  parting::ShortList<Open, 16> open;
-  parting::ShortList<std::optional<Gap<Ball>>, 16> gap;  // by integers
+  parting::ShortList<Open, 8> open;
+  parting::ShortList<std::optional<Gap<Ball>>, 8> gap;  // by integers
 
   explicit CornersSoFar(std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) told.push_back({}), open.push_back(Open::place), gap.push_back({});
   }
+  [[nodiscard]] bool lacks_gap(std::size_t i) const { return !told[i] && !gap[i] && open[i] == Open::distance; }
   [[nodiscard]] bool are_told() const {
     return std::ranges::all_of(told, [](const auto& c) { return c.has_value(); });
   }
@@ -85,6 +86,9 @@ void tell_by_pairs(const Pair& p, const Matched& m, const Whole& whole, CornersS
 
 /// Of those whose distance is left open: by integers.  Is one known that was not?
 [[gnu::noinline]] bool find_gaps(const Pair& pair, const Matched& m, CornersSoFar& to) {
+  bool is_asked = false;
+  for (std::size_t i = 0; i < m.corners.size(); ++i) is_asked = is_asked || to.lacks_gap(i);
+  if (!is_asked) return false;
   if (pair.difference().a.has_scale()) return false;  // times the weights of poses it is another number
   StackDyadic::clear_range();
   const View<StackDyadic> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
@@ -92,7 +96,7 @@ void tell_by_pairs(const Pair& p, const Matched& m, const Whole& whole, CornersS
   if (StackDyadic::left_range()) return false;
   bool is_known = false;
   for (std::size_t i = 0; i < m.corners.size(); ++i) {
-    if (to.told[i] || to.gap[i] || to.open[i] != Open::distance) continue;
+    if (!to.lacks_gap(i)) continue;
     std::optional<Ball> whole;
     const auto height = by_integers([&] {
       const Gap<StackDyadic> gap = places.gap(m.corners[i]);
@@ -125,19 +129,26 @@ std::optional<Whole> QuickNumbers::whole() const {
   std::optional<Ball> height;
   const auto known = [&] { return height ? &*height : nullptr; };
   const auto by_pairs = [&] { return has_fma ? whole_fused(pair_, open, known()) : std::nullopt; };
-  if (auto told = by_pairs()) return told;
+  if (const auto told = by_pairs()) return told;
   if (open == Open::distance && !pair_.difference().a.has_scale()) {  // else it is times the weights of poses
     height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); });
-    if (height) {
-      if (auto told = by_pairs()) return told;
-    }
   }
-  return whole_over<Ball>(pair_, open, known());
+  std::optional<Whole> told = height ? by_pairs() : std::nullopt;
+  if (!told) told = whole_over<Ball>(pair_, open, known());
+  if (told) told->is_by_integers = height.has_value();
+  return told;
 }
 
 QuickCorners QuickNumbers::corners(const Matched& m, const Whole& whole) const {
   CornersSoFar corners(m.corners.size());
   if (!pair_.radii().are_doubles()) return corners.told;
+  if (whole.is_by_integers) {
+    const LevelParts level(m);
+    for (std::size_t i = 0; i < m.corners.size(); ++i) {
+      if (!level.has(m.corners[i])) corners.open.begin()[i] = Open::distance;
+    }
+    (void)find_gaps(pair_, m, corners);
+  }
   tell_by_pairs(pair_, m, whole, corners);
   if (!corners.are_told() && find_gaps(pair_, m, corners)) tell_by_pairs(pair_, m, whole, corners);
   if (!corners.are_told()) tell_by_balls(pair_, m, corners);

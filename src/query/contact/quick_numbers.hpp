@@ -12,7 +12,7 @@
 
 namespace plumb::query::touching {
 
-using QuickCorners = parting::ShortList<std::optional<Corner>, 16>;
+using QuickCorners = parting::ShortList<std::optional<Corner>, 8>;
 
 class QuickNumbers {
  public:

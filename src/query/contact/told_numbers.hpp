@@ -19,6 +19,7 @@ struct Whole {
   Relation relation;
   Vector3 normal;
   double distance;
+  bool is_by_integers = false;  // so will be the distances of corners that are nearly as far apart
 };
 
 /// Is it within the margin?

@@ -50,6 +50,8 @@ class EdgeSum {
   }
   /// The axis of space that a group is along, unless it is along none by what is given.
   [[nodiscard]] std::optional<int> axis(std::size_t group) const { return axis_[group]; }
+  /// Which way the first edge of a group leads before its pose, by what is given, but for its length.
+  [[nodiscard]] const std::optional<Vector3>& along(std::size_t group) const { return along_[group]; }
   /// Of one body: does it have all its edges, each in a group of its own?
   [[nodiscard]] bool has_its_own(std::uint32_t body) const;
   [[nodiscard]] const Difference& difference() const { return of_; }

@@ -1,7 +1,11 @@
 #include "query/penetration/quick_axis.hpp"
 
+#include <cmath>
+
 #include "arith/sparse_vec.hpp"
 #include "certify/fused.hpp"
+#include "query/penetration/box_axes.hpp"
+#include "query/penetration/zonotope.hpp"
 
 namespace plumb::query::parting {
 namespace {
@@ -95,34 +99,48 @@ class Axes {
 
   /// Nothing where such pairs leave it open, as they leave zero.
   std::optional<Sign> quick_sign(const AxisQuestion& q) {
-    const int s = has_fma ? sign_by_pairs(pairs_, q) : 0;  // without it balls are no slower
+    const int s = has_fma ? sign_by_pairs(numbers().pairs, q) : 0;  // without it balls are no slower
     return s == 0 ? std::nullopt : std::optional(static_cast<Sign>(s));
   }
 
   const SumParts<Ball>& parts() {
-    if (!parts_) parts_ = sum_.parts<Ball>();
-    return *parts_;
+    if (!numbers().parts) numbers().parts = sum_.parts<Ball>();
+    return *numbers().parts;
   }
   const Axis<Ball>& operator()(std::uint32_t normal, std::uint32_t p, std::uint32_t q) {
-    auto& axis = axis_[normal];
+    auto& axis = numbers().axis[normal];
     if (!axis) axis.emplace(parts(), sum_.groups(), p, q);
     return *axis;
   }
 
  private:
+  struct Numbers {
+    explicit Numbers(const EdgeSum& sum) : pairs{sum} {}
+    PairAxes pairs;
+    std::optional<SumParts<Ball>> parts;
+    std::array<std::optional<Axis<Ball>>, 15> axis;
+  };
+  Numbers& numbers() {
+    if (!numbers_) numbers_.emplace(sum_);
+    return *numbers_;
+  }
+
   const EdgeSum& sum_;
-  PairAxes pairs_{sum_};
-  std::optional<SumParts<Ball>> parts_;
-  std::array<std::optional<Axis<Ball>>, 15> axis_;
+  std::optional<Numbers> numbers_;  // as a rule doubles tell all
 };
 
-/// The axis of space that a normal is along by zeros.
-std::optional<int> axis_of(const Vec<Running>& n) {
+/// The axis of space that a normal is along by zeros, and whether it leads up.
+struct AlongAxis {
+  int axis;
+  Sign up;
+};
+std::optional<AlongAxis> axis_of(const Vec<Running>& n) {
   const std::array is_zero{certainly_zero(n.x), certainly_zero(n.y), certainly_zero(n.z)};
   for (std::size_t k = 0; k < 3; ++k) {
     const bool is_along = is_zero[(k + 1) % 3] && is_zero[(k + 2) % 3] && !is_zero[k];
     const auto axis = static_cast<int>(k);
-    if (is_along && certain_sign(along_axis(n, axis)) != 0) return axis;
+    const int up = is_along ? certain_sign(along_axis(n, axis)) : 0;
+    if (up != 0) return AlongAxis{axis, static_cast<Sign>(up)};
   }
   return {};
 }
@@ -152,30 +170,39 @@ struct Signs {
   Sign overlap, middle;
   std::array<Sign, 6> along{};  // of each group
 };
-/// From running errors (`along`: of a group), and pairs of doubles where these leave a sign open; nothing where both do,
-/// or where nothing leads along the normal.
-template <class Along>
-std::optional<Signs> signs_of(std::size_t groups, std::uint32_t normal, const std::array<std::uint32_t, 2>& of,
-                              const Vec<Running>& n, const Running& overlap, const Running& middle, const Along& along,
-                              Axes& axes) {
+/// The same as far as doubles tell.
+struct RoughSigns {
+  std::optional<Sign> overlap, middle;
+  std::array<std::optional<Sign>, 6> along{};
+};
+/// Of a normal along an axis of space what that axis tells at once, then pairs of doubles for what is left open; nothing
+/// where these leave it open, or where nothing leads along the normal.
+std::optional<Signs> signs_of(std::uint32_t normal, const std::array<std::uint32_t, 2>& of, const RoughSigns& rough,
+                              std::optional<AlongAxis> along_space, Axes& axes) {
+  const EdgeSum& sum = axes.sum();
+  if (!axes.stand()) along_space.reset();
   const auto fine = [&]() -> const Axis<Ball>& { return axes(normal, of[0], of[1]); };
-  const auto sign = [&](const Running& rough, Asked asked, std::uint32_t k, const auto& by_balls) {
-    auto s = certain(rough.sign());
-    if (!s) s = axes.quick_sign({asked, normal, of, k});
+  const auto sign = [&](const std::optional<Sign>& known, Asked asked, std::uint32_t k, const auto& by_balls) {
+    if (known) return known;
+    const auto s = axes.quick_sign({asked, normal, of, k});
     return s ? s : certain(by_balls().sign());
   };
-  auto of_overlap = certain(overlap.sign());
-  if (const auto axis = axis_of(n); !of_overlap && axis && axes.stand()) {
-    of_overlap = certain(overlap_along(axes.sum(), *axis).sign());
-  }
-  if (!of_overlap) of_overlap = sign(overlap, Asked::overlap, 0, [&]() -> const Ball& { return fine().overlap; });
-  const auto of_middle = sign(middle, Asked::middle, 0, [&]() -> const Ball& { return fine().middle; });
+  auto of_overlap = rough.overlap;
+  if (!of_overlap && along_space) of_overlap = certain(overlap_along(sum, along_space->axis).sign());
+  if (!of_overlap) of_overlap = sign({}, Asked::overlap, 0, [&]() -> const Ball& { return fine().overlap; });
+  const auto of_middle = sign(rough.middle, Asked::middle, 0, [&]() -> const Ball& { return fine().middle; });
   if (!of_overlap || !of_middle || *of_middle == Sign::zero) return {};
   Signs told{of, *of_overlap, *of_middle};
   bool has_reach = false;
-  for (std::uint32_t k = 0; k < groups; ++k) {
+  for (std::uint32_t k = 0; k < sum.groups(); ++k) {
     if (k == of[0] || k == of[1]) continue;
-    const auto s = sign(along(k), Asked::along, k, [&] { return sparse_dot(fine().normal, axes.parts().group[k]); });
+    auto known = rough.along[k];
+    if (!known && along_space) {
+      if (const auto& way = sum.along(k)) {
+        known = along_space->up * sign_of_number(along_axis(arith::vec<double>(*way), along_space->axis));
+      }
+    }
+    const auto s = sign(known, Asked::along, k, [&] { return sparse_dot(fine().normal, axes.parts().group[k]); });
     if (!s) return {};
     told.along[k] = *s, has_reach = has_reach || *s != Sign::zero;
   }
@@ -190,68 +217,102 @@ std::optional<Sign> order_of(const Axis<Ball>& p, const Axis<Ball>& q) {
   return certain((sparse_product(square_p, q.square) - sparse_product(square_q, p.square)).sign());
 }
 
+/// The normals of two groups each, and which of them may be the nearest as far as doubles tell.
+struct Candidates {
+  using Of = std::array<std::uint32_t, 2>;
+
+  std::array<Of, 15> of;
+  std::array<std::uint32_t, 15> near;
+  std::size_t size = 0;    // of those that are near
+  std::uint32_t best = 0;  // a guess
+  bool is_widest = true;   // of what is apart, as far as doubles tell
+};
+
+/// Of what is apart, a guess: of faces that are nearly in one plane the largest is the one that the other body is before.
+/// `is_face(i)`: is there a gap along the normal of a face, which is nearly as wide as any?
+template <class IsFace, class Area>
+std::optional<std::uint32_t> likely_face(std::size_t size, const IsFace& is_face, const Area& area) {
+  std::optional<std::uint32_t> face;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    if (is_face(i) && (!face || area(i) > area(*face))) face = i;
+  }
+  return face;
+}
+
 /// The axis of the least overlap; of what is apart that of the widest gap as far as doubles tell, or a likely one.
 struct Least {
   Signs signs;
   bool is_widest = true;
 };
-std::optional<Least> least_of(const Zonotope& z, Gap gap) {
-  std::array<std::uint32_t, 15> near;  // as far as running errors tell
-  std::size_t size = 0;
-  std::uint32_t best = 0;
-  double most = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < z.normals(); ++i) {
-    if (const double upper = z.square(i).upper(); upper < most) most = upper, best = i;
-  }
-  for (std::uint32_t i = 0; i < z.normals(); ++i) {
-    if (!(z.square(i).lower() > most)) near[size++] = i;
-  }
-  const std::size_t groups = z.sum().groups();
-  Axes axes(z.sum());
-  bool is_widest = true;
-  if (gap == Gap::likely && z.rough(best).overlap.sign() == Unsure{Sign::negative}) {
-    // A guess: of faces that are nearly in one plane the largest is the one that the other body is before.
-    const auto is_of_one = [&](std::uint32_t i) {
-      return z.sum().first_of(z.pair(i)[0]).body == z.sum().first_of(z.pair(i)[1]).body;
-    };
-    std::optional<std::uint32_t> face;
-    for (std::size_t k = 0; k < size; ++k) {
-      const auto area = [&](std::uint32_t i) {
-        const Vec<Running>& n = z.rough(i).normal;
-        return n.x.value * n.x.value + n.y.value * n.y.value + n.z.value * n.z.value;
-      };
-      if (z.rough(near[k]).overlap.sign() != Unsure{Sign::negative}) continue;
-      if (is_of_one(near[k]) && (!face || area(near[k]) > area(*face))) face = near[k];
-    }
-    is_widest = size == 1;
-    best = face.value_or(best), size = 0;
-  }
-  const auto fine = [&](std::uint32_t i) -> const Axis<Ball>& { return axes(i, z.pair(i)[0], z.pair(i)[1]); };
+/// `signs_at(i)`: as `signs_of` tells.
+template <class SignsAt>
+std::optional<Least> least_of(Candidates c, Axes& axes, const SignsAt& signs_at) {
+  const auto fine = [&](std::uint32_t i) -> const Axis<Ball>& { return axes(i, c.of[i][0], c.of[i][1]); };
   const auto order = [&](std::uint32_t i, std::uint32_t j) {
-    const auto s = axes.quick_sign({Asked::order, i, z.pair(i), j, z.pair(j)});
+    const auto s = axes.quick_sign({Asked::order, i, c.of[i], j, c.of[j]});
     return s ? s : order_of(fine(i), fine(j));
   };
-  for (;;) {  // ends, for each is nearer than the one before
-    const Zonotope::OfNormal& rough = z.rough(best);
-    const auto signs = signs_of(
-        groups, best, rough.of, rough.normal, rough.overlap, rough.middle,
-        [&](std::uint32_t k) { return z.rough_along(best, k); }, axes);
+  std::uint32_t farther = 0;  // by bits: than one of those that were the best so far
+  for (;;) {                  // ends, for each is nearer than the one before
+    const auto signs = signs_at(c.best);
     if (!signs) return {};
     std::optional<std::uint32_t> nearer;
-    for (std::size_t k = 0; k < size && !nearer; ++k) {
-      const auto [p, q] = z.pair(near[k]);
-      if (signs->along[p] == Sign::zero && signs->along[q] == Sign::zero)
-        continue;  // parallel to it, or to one another
-      const auto is = order(near[k], best);
+    for (std::size_t k = 0; k < c.size && !nearer; ++k) {
+      const auto [p, q] = c.of[c.near[k]];
+      const bool is_along = signs->along[p] == Sign::zero && signs->along[q] == Sign::zero;  // or they are parallel
+      if (is_along || (farther >> k & 1) != 0) continue;
+      const auto is = order(c.near[k], c.best);
       if (is == Sign::negative) {
-        nearer = near[k];
-      } else if (is != Sign::positive && signs->overlap != Sign::negative) {
+        nearer = c.near[k];
+      } else if (is == Sign::positive) {
+        farther |= 1U << k;
+      } else if (signs->overlap != Sign::negative) {
         return {};
       }
     }
-    if (!nearer) return Least{*signs, is_widest};
-    best = *nearer;
+    if (!nearer) return Least{*signs, c.is_widest};
+    c.best = *nearer;
   }
+}
+
+/// By running errors, of any sums.
+RoughSigns rough_signs(const Zonotope& z, std::uint32_t i) {
+  const Zonotope::OfNormal& n = z.rough(i);
+  RoughSigns rough{certain(n.overlap.sign()), certain(n.middle.sign())};
+  for (std::uint32_t k = 0; k < z.sum().groups(); ++k) {
+    if (k != n.of[0] && k != n.of[1]) rough.along[k] = certain(z.rough_along(i, k).sign());
+  }
+  return rough;
+}
+std::optional<Least> least_of(const Zonotope& z, Gap gap) {
+  Candidates c;
+  double most = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < z.normals(); ++i) {
+    c.of[i] = z.pair(i);
+    if (const double upper = z.square(i).upper(); upper < most) most = upper, c.best = i;
+  }
+  for (std::uint32_t i = 0; i < z.normals(); ++i) {
+    if (!(z.square(i).lower() > most)) c.near[c.size++] = i;
+  }
+  Axes axes(z.sum());
+  const auto signs_at = [&](std::uint32_t i) {
+    return signs_of(i, c.of[i], rough_signs(z, i), axis_of(z.rough(i).normal), axes);
+  };
+  const auto is_apart = [&](std::uint32_t i) { return z.rough(i).overlap.sign() == Unsure{Sign::negative}; };
+  if (gap == Gap::likely && is_apart(c.best)) {
+    const auto area = [&](std::uint32_t k) {
+      const Vec<Running>& n = z.rough(c.near[k]).normal;
+      return n.x.value * n.x.value + n.y.value * n.y.value + n.z.value * n.z.value;
+    };
+    const auto body_of = [&](std::uint32_t i, std::size_t k) { return z.sum().first_of(c.of[i][k]).body; };
+    const auto is_face = [&](std::uint32_t k) {
+      return is_apart(c.near[k]) && body_of(c.near[k], 0) == body_of(c.near[k], 1);
+    };
+    const auto face = likely_face(c.size, is_face, area);
+    c.is_widest = c.size == 1;
+    c.best = face ? c.near[*face] : c.best, c.size = 0;
+  }
+  return least_of(c, axes, signs_at);
 }
 
 /// Along an axis of space for certain, where it is along one by zeros.
@@ -266,7 +327,8 @@ Way across(const Vector3& u, const Vector3& v, const Ends& p) {
   return Way::across(u, v, p);
 }
 
-SumParting told_of(const EdgeSum& sum, const Signs& signs) {
+SumParting told_of(const EdgeSum& sum, const Least& least) {
+  const Signs& signs = least.signs;
   const Difference& d = sum.difference();
   const bool are_apart = signs.overlap == Sign::negative, up = signs.middle == Sign::positive;
   const auto facet =
@@ -281,16 +343,126 @@ SumParting told_of(const EdgeSum& sum, const Signs& signs) {
   return {.known = are_apart ? SumParting::Known::apart : SumParting::Known::parting,
           .parting = Parting{way, are_apart, true},
           .level = facet.level,
+          .is_widest = least.is_widest,
           .edges = SumFacetEdges{{{p.body, p.bit}, {q.body, q.bit}}}};
+}
+
+/// Two boxes as they stand, each of whose edges has a length.
+class Boxes {
+ public:
+  static std::optional<Boxes> of(const EdgeSum& sum) {
+    const Difference& d = sum.difference();
+    if (sum.edges().size() != 6) return {};
+    const auto a = d.a.given_box(), b = d.b.given_box();
+    if (!a || !b) return {};
+    Boxes boxes{sum, *a, *b};
+    for (std::size_t k = 6; k-- > 0;) {
+      const SumEdge& e = sum.edges()[k];
+      boxes.first_[e.group] = 3 * e.body + e.bit;
+    }
+    return boxes;
+  }
+  [[nodiscard]] const GivenBox& a() const { return a_; }
+  [[nodiscard]] const GivenBox& b() const { return b_; }
+
+  /// Of the fifteen axes' statement.
+  [[nodiscard]] NearAxes::Pair pair(const Candidates::Of& of) const { return {first_[of[0]], first_[of[1]]}; }
+  [[nodiscard]] const Vector3& axis(std::uint32_t k) const { return (k < 3 ? a_ : b_).axes[k % 3]; }
+  [[nodiscard]] std::optional<AlongAxis> along_space(const NearAxes::Pair& p) const {
+    return axis_of(sparse_cross(arith::vec<Running>(axis(p[0])), arith::vec<Running>(axis(p[1]))));
+  }
+  [[nodiscard]] RoughSigns rough_signs(const NearAxes::Told& told) const {
+    const auto known = [](Sign s) { return s == Sign::zero ? std::nullopt : std::optional(s); };
+    RoughSigns rough{known(told.overlap), known(told.middle)};
+    for (std::uint32_t g = 0; g < sum_.groups(); ++g) rough.along[g] = known(told.along[first_[g]]);
+    return rough;
+  }
+  /// The square of what two edges span, from that of their axes.
+  [[nodiscard]] double area(const NearAxes::Pair& p, double of_axes) const {
+    const auto length = [&](std::uint32_t k) {
+      const GivenBox::Ends& e = (k < 3 ? a_ : b_).length[k % 3];
+      return (e.to - e.from) * (e.to - e.from);
+    };
+    return of_axes * length(p[0]) * length(p[1]);
+  }
+
+ private:
+  Boxes(const EdgeSum& sum, const GivenBox& a, const GivenBox& b) : sum_(sum), a_(a), b_(b) {}
+
+  const EdgeSum& sum_;
+  GivenBox a_, b_;
+  std::array<std::uint32_t, 6> first_{};
+};
+
+/// A guess in doubles: along which normal boxes overlap least, which is one of edges that are not nearly parallel.  Of
+/// boxes that are apart the likely one.
+template <class Overlaps, class Lengths>
+std::uint32_t guessed_axis(const Boxes& boxes, std::span<const NearAxes::Pair> pairs, const Overlaps& overlaps,
+                           const Lengths& lengths, Gap gap) {
+  const auto size = static_cast<std::uint32_t>(pairs.size());
+  double largest = 0;
+  for (std::uint32_t i = 0; i < size; ++i) largest = std::fmax(largest, lengths[i]->value);
+  const auto is_some = [&](std::uint32_t i) { return lengths[i]->value > largest * 0x1p-60; };  // a guess
+  std::uint32_t best = size;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    if (!is_some(i)) continue;
+    if (best == size || overlaps[i]->value * lengths[best]->value < overlaps[best]->value * lengths[i]->value) best = i;
+  }
+  if (best == size) return 0;
+  if (gap == Gap::widest || !(overlaps[best]->value < 0)) return best;
+  const double widest = overlaps[best]->value * (1 - 0x1p-30);  // a guess
+  const auto is_face = [&](std::uint32_t i) {
+    return pairs[i][0] / 3 == pairs[i][1] / 3 && is_some(i) &&
+           overlaps[i]->value * lengths[best]->value <= widest * lengths[i]->value;
+  };
+  const auto area = [&](std::uint32_t i) { return boxes.area(pairs[i], lengths[i]->value); };
+  return likely_face(size, is_face, area).value_or(best);
+}
+
+/// Doubles whose errors are derived: as a rule they leave one axis.
+std::optional<SumParting> quick_boxes(const EdgeSum& sum, Gap gap) {
+  const auto boxes = Boxes::of(sum);
+  if (!boxes) return {};
+  Candidates c;
+  std::array<NearAxes::Pair, 15> all;
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < sum.groups(); ++i) {
+    for (std::uint32_t j = i + 1; j < sum.groups(); ++j, ++count)
+      c.of[count] = {i, j}, all[count] = boxes->pair({i, j});
+  }
+  const std::span<const NearAxes::Pair> pairs = std::span(all).first(count);
+  const auto pick = [&](const auto& overlaps, const auto& lengths) {
+    return guessed_axis(*boxes, pairs, overlaps, lengths, gap);
+  };
+  FloatWorld<NearAxes> world;
+  const NearAxes::Told told = NearAxes{}(world, boxes->a(), boxes->b(), pairs, pick);
+  if (!world.certain()) return {};
+  c.best = told.picked;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if ((told.near >> i & 1) != 0) c.near[c.size++] = i;
+  }
+  if (gap == Gap::likely && told.overlap == Sign::negative) c.is_widest = c.size == 1, c.size = 0;
+  Axes axes(sum);
+  const auto signs_at = [&](std::uint32_t i) {
+    const RoughSigns rough = i == told.picked ? boxes->rough_signs(told) : RoughSigns();
+    return signs_of(i, c.of[i], rough, boxes->along_space(all[i]), axes);
+  };
+  const auto least = least_of(c, axes, signs_at);
+  if (!least) return {};
+  SumParting parting = told_of(sum, *least);
+  const auto is_plain = [&](std::uint32_t body) { return sum.has_its_own(body) && told.turn[body] != Sign::zero; };
+  if (parting.known == SumParting::Known::parting) parting.is_plain = {is_plain(0), is_plain(1)};
+  return parting;
 }
 
 }  // namespace
 
-std::optional<SumParting> quick_axis(const Zonotope& z, Gap gap) {
+std::optional<SumParting> quick_axis(const EdgeSum& sum, Gap gap) {
+  if (const auto told = quick_boxes(sum, gap)) return told;
+  const Zonotope z(sum);
   const auto least = least_of(z, gap);
   if (!least) return {};
-  SumParting told = told_of(z.sum(), least->signs);
-  told.is_widest = least->is_widest;
+  SumParting told = told_of(sum, *least);
   if (told.known == SumParting::Known::parting) told.is_plain = {z.is_independent(0), z.is_independent(1)};
   return told;
 }
@@ -300,14 +472,29 @@ std::optional<SumParting> plane_across(const Difference& d, const SumFacetEdges&
   const auto p = sum.group_of(edges[0]), q = sum.group_of(edges[1]);
   if (!p || !q || *p == *q || sum.groups() < 3) return {};
   const std::array of{std::min(*p, *q), std::max(*p, *q)};
-  const SumParts<Approximate> parts = settled(sum.parts<Approximate>());
-  const Axis<Approximate> rough(parts, sum.groups(), of[0], of[1]);
   Axes axes(sum);
-  const auto signs = signs_of(
-      sum.groups(), 0, of, running(rough.normal), running(rough.overlap), running(rough.middle),
-      [&](std::uint32_t k) { return running(sparse_dot(rough.normal, parts.group[k])); }, axes);
+  std::optional<Signs> signs;
+  if (const auto boxes = Boxes::of(sum)) {
+    const std::array<NearAxes::Pair, 1> pair{boxes->pair(of)};
+    FloatWorld<NearAxes> world;
+    const NearAxes::Told told =
+        NearAxes{}(world, boxes->a(), boxes->b(), pair, [](const auto&, const auto&) { return 0U; });
+    if (world.certain() && told.overlap == Sign::negative) {
+      signs = signs_of(0, of, boxes->rough_signs(told), boxes->along_space(pair[0]), axes);
+    }
+  } else {
+    const SumParts<Approximate> parts = settled(sum.parts<Approximate>());
+    const Axis<Approximate> rough(parts, sum.groups(), of[0], of[1]);
+    RoughSigns known{certain(running(rough.overlap).sign()), certain(running(rough.middle).sign())};
+    for (std::uint32_t k = 0; k < sum.groups(); ++k) {
+      if (k != of[0] && k != of[1]) {
+        known.along[k] = certain(running(sparse_dot(rough.normal, parts.group[k])).sign());
+      }
+    }
+    signs = signs_of(0, of, known, axis_of(running(rough.normal)), axes);
+  }
   if (!signs || signs->overlap != Sign::negative) return {};
-  return told_of(sum, *signs);
+  return told_of(sum, {*signs});
 }
 
 }  // namespace plumb::query::parting

@@ -11,7 +11,6 @@
 #pragma once
 
 #include "query/penetration/separating_axes.hpp"
-#include "query/penetration/zonotope.hpp"
 
 namespace plumb::query::parting {
 
@@ -38,7 +37,7 @@ SumFacet facet_of(const EdgeSum& sum, std::uint32_t i, std::uint32_t j, Sign sid
   return f;
 }
 
-std::optional<SumParting> quick_axis(const Zonotope& z, Gap gap);
+std::optional<SumParting> quick_axis(const EdgeSum& sum, Gap gap);
 
 /// The plane at right angles to two edges of sums, where it has one of them on each side for certain.
 std::optional<SumParting> plane_across(const Difference& d, const SumFacetEdges& edges);

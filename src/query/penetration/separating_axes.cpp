@@ -1,8 +1,5 @@
 #include "query/penetration/separating_axes.hpp"
 
-#include <cmath>
-
-#include "query/penetration/box_axes.hpp"
 #include "query/penetration/quick_axis.hpp"
 #include "query/penetration/zonotope.hpp"
 
@@ -48,52 +45,6 @@ Nearest nearest_normals(Zonotope& z) {
   return n;
 }
 
-/// A guess in doubles: the axis of two boxes along which they overlap least.
-std::array<std::uint32_t, 2> guessed_axis(const GivenBox& a, const GivenBox& b) {
-  std::array<arith::Plain, 6> g;
-  std::array<double, 6> s;
-  for (std::size_t k = 0; k < 6; ++k) {
-    g[k] = arith::vec<double>((k < 3 ? a : b).axes[k % 3]);
-    const GivenBox::Ends& e = (k < 3 ? a : b).length[k % 3];
-    s[k] = e.to - e.from;
-  }
-  const auto middle = [&](std::size_t k) {
-    return (a.middle[k].to - a.middle[k].from) - (b.middle[k].to - b.middle[k].from);
-  };
-  const arith::Plain c{middle(0), middle(1), middle(2)};
-  std::array<std::uint32_t, 2> best{0, 1};
-  double least = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    for (std::uint32_t j = i + 1; j < 6; ++j) {
-      const arith::Plain n = cross(g[i], g[j]);
-      double overlap = -std::fabs(dot(n, c));
-      for (std::size_t k = 0; k < 6; ++k) overlap += std::fabs(dot(n, g[k])) * s[k];  // of i and j nearly nothing
-      const double square = overlap * overlap / dot(n, n);
-      if (square < least) least = square, best = {i, j};
-    }
-  }
-  return best;
-}
-
-/// Of two boxes no two edges of which are parallel: where doubles tell the one way that is shortest.
-std::optional<SumParting> quick_boxes(const EdgeSum& sum) {
-  const Difference& d = sum.difference();
-  if (sum.groups() != 6) return {};
-  const auto a = d.a.given_box(), b = d.b.given_box();
-  if (!a || !b) return {};
-  const auto [i, j] = guessed_axis(*a, *b);
-  FloatWorld<IsLeastAxis> world;
-  const IsLeastAxis::Told axis = IsLeastAxis{}(world, *a, *b, i, j);
-  if (!axis.is_least || !world.certain()) return {};
-  SumParting told{.known = SumParting::Known::parting, .is_plain = {true, true}};
-  const auto facet = facet_of(sum, i, j, -axis.middle, [&](std::uint32_t g) { return axis.along[g]; });
-  const Vector3 u = (i < 3 ? *a : *b).axes[i % 3], v = (j < 3 ? *a : *b).axes[j % 3];
-  const bool up = axis.middle == Sign::positive;
-  told.level = facet.level;
-  told.parting = Parting{Way::across(up ? u : v, up ? v : u, facet.points[0]), false, true};
-  return told;
-}
-
 }  // namespace
 
 SumParting parted_sums(const Difference& d, Gap gap) {
@@ -101,9 +52,8 @@ SumParting parted_sums(const Difference& d, Gap gap) {
   const EdgeSum sum(d);
   if (sum.groups() < 3) return told;
   if (sum.groups() == 3 && sum.axis(0) && sum.axis(1) && sum.axis(2)) return parted_along_axes(sum);
-  if (const auto quick = quick_boxes(sum)) return *quick;
+  if (const auto quick = quick_axis(sum, gap)) return *quick;
   Zonotope z(sum);
-  if (const auto quick = quick_axis(z, gap)) return *quick;
   const Nearest nearest = nearest_normals(z);
   if (nearest.is_apart) {
     told.known = SumParting::Known::apart;

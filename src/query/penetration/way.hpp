@@ -8,6 +8,9 @@
 // Cost: some 10 to 30 operations.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "query/penetration/difference.hpp"
 
 namespace plumb::query::parting {
@@ -53,6 +56,14 @@ class Way {
   [[nodiscard]] bool is_through_plane() const { return kind_ == Kind::plane; }
   [[nodiscard]] const std::array<Ends, 3>& facet() const { return of_; }
   [[nodiscard]] bool is_along_axis() const { return kind_ == Kind::axis; }
+  /// Vectors as given of which it is the cross product, where it is one.
+  [[nodiscard]] std::optional<std::array<Vector3, 2>> spanned_by() const {
+    if (kind_ == Kind::across) return std::array{u_, v_};
+    if (kind_ != Kind::axis) return {};
+    const auto axis = [](int k) { return Vector3{k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; };
+    const int next = (axis_ + 1) % 3, last = (axis_ + 2) % 3;
+    return std::array{axis(is_up_ ? next : last), axis(is_up_ ? last : next)};
+  }
   /// One of the points.
   [[nodiscard]] const Ends& from() const { return of_[0]; }
   /// Seen along it, is corner j of the other body on the line through corners i and k of this one (0 or 1)?  So it is
