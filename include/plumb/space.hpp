@@ -47,8 +47,6 @@
 #include "plumb/space/closest/closest_on_mesh.hpp"    // a point
 #include "plumb/space/closest/closest_triangles.hpp"  // another mesh
 #include "plumb/space/closest/hausdorff.hpp"          // how far two surfaces deviate
-#include "plumb/space/closest/posed_closest.hpp"      // of meshes that have been moved
-#include "plumb/space/closest/posed_hausdorff.hpp"    // their surfaces' deviation
 
 // When does what moves meet first?  first_contact; what meets at all?  contacts_in_motion
 #include "plumb/space/moving/motion_contacts.hpp"   // a mesh whose vertices move, itself

@@ -11,6 +11,7 @@
 #include "plumb/surface/file/read_mesh.hpp"              // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
 #include "plumb/surface/file/write_mesh.hpp"             // to a file, or to text
 #include "plumb/surface/parts/convex_parts.hpp"          // solids into convex ones
+#include "plumb/surface/parts/covering_parts.hpp"        // few hulls that cover a solid
 #include "plumb/surface/planar/arrange_segments.hpp"     // crossings, edges, faces and windings of segments
 #include "plumb/surface/planar/convex_pieces.hpp"        // polygons into convex ones
 #include "plumb/surface/planar/delaunay.hpp"             // points and segments into triangles

@@ -107,7 +107,7 @@ inline const CostRow rows_of_indexes[]{
        for (const Point3& p : asked_points(c)) (void)closest_on_mesh(bvh, p);
      },
      72, 1},
-    {"closest_on_mesh, posed", "space/closest/posed_closest.hpp", sorting, 300,
+    {"closest_on_mesh, posed", "space/closest/closest_on_mesh.hpp", sorting, 300,
      [](const Cloud& c) {
        const Bvh bvh = build_bvh(c.mesh);
        for (const Point3& p : asked_points(c)) (void)closest_on_mesh(PosedMesh{bvh, pose(c.b)}, p);
@@ -156,7 +156,7 @@ inline const CostRow rows_of_indexes[]{
      9, 1},
     {"build_moving_mesh", "space/moving/moving_mesh.hpp", quadratic, 5,
      [](const Cloud& c) { (void)build_moving_mesh(c.a, c.b, c.mesh.triangles); }},
-    {"hausdorff_distance, posed", "space/closest/posed_hausdorff.hpp", quadratic_log, 500,
+    {"hausdorff_distance, posed", "space/closest/hausdorff.hpp", quadratic_log, 500,
      [](const Cloud& c) {
        const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
        (void)hausdorff_distance(PosedMesh{a, pose(c.b)}, PosedMesh{b, identity_pose}, {.execution = Execution::serial});

@@ -4,7 +4,8 @@
 // other shape to one of its kind; a linear map that is one to one keeps the relation.  There the axes that can separate
 // are those of the box, the normal of a triangle, and cross products of an edge with an axis, of two terms each.
 // Over doubles with bounds of their errors first, then over pairs of doubles and integers: one statement of each question
-// (query/overlap/box_quick.hpp, figure/obb/quick.hpp).  What is flat there goes to the sets' facets in integers.
+// (query/overlap/box_quick.hpp, figure/obb/quick.hpp).  What is flat there is asked as all figures with
+// straight edges are; of two boxes, of the difference's facets in integers.
 // Source: RTCD 5.2.1, 5.2.9, 5.3.3, 4.4.1.
 #include <optional>
 
@@ -13,7 +14,6 @@
 #include "plumb/arith/big.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/body/vectors.hpp"
-#include "query/convex/flat_set.hpp"
 #include "query/overlap/box_quick.hpp"
 #include "query/overlap/pair_answer.hpp"
 #include "query/overlap/shapes3.hpp"
@@ -34,7 +34,7 @@ Relation relate_obb(const Shape& a, const Obb3& b, Question question) {
     if (a.b == a.c) return relate_obb(Segment3{a.a, a.b}, b, question);
   }
   if (const auto r = near_relation(a, b)) return *r;
-  return relate(flat_set(a), flat_set(b));
+  return relate_flat(view_of(a), view_of(b));
 }
 
 // Twice the distance of the centers, twice the extents.

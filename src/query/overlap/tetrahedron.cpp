@@ -8,7 +8,6 @@
 #include "plumb/certify/direction.hpp"
 #include "plumb/predicates/line_triangle.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/convex/flat_set.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/overlap/linear3.hpp"
 #include "query/overlap/pair_answer.hpp"
@@ -154,7 +153,7 @@ Relation by_faces(const Figure& a, const Tetrahedron3& b) {
     if (with_face == Relation::overlapping && !collinear(face.a, face.b, face.c)) return Relation::overlapping;
     met = met || with_face != Relation::disjoint;
   }
-  return met ? relate(flat_set(a), flat_set(b)) : Relation::disjoint;
+  return met ? relate_flat(view_of(a), view_of(b)) : Relation::disjoint;
 }
 
 Relation by_axes(const Segment3& a, const Tetrahedron3& b) {

@@ -16,9 +16,11 @@
 #include "space/bvh/slot_boxes.hpp"
 #include "space/closest/box_distance.hpp"
 #include "space/closest/hausdorff_tolerance.hpp"
+#include "space/closest/near_sources.hpp"
 #include "space/closest/nearby_corner.hpp"
 #include "space/closest/numbered_triangles.hpp"
 #include "space/closest/piece_cut.hpp"
+#include "space/closest/rounded_images.hpp"
 
 namespace plumb {
 namespace space {
@@ -243,22 +245,35 @@ void require_hausdorff(const char* function, const Bvh& a, const Bvh& b, const H
   require("of_size", options.of_size);
 }
 
+/// ask(a, b, options) of the meshes as they stand, or of their rounded images.
+template <class Ask>
+HausdorffDistance ask_standing(const char* function, const BvhView& a, const BvhView& b,
+                               const HausdorffOptions& options, const Ask& ask) {
+  const AskedPair pair(function, a, b);
+  require_hausdorff(function, pair.a.bvh, pair.b.bvh, options);
+  return pair.stand() ? ask(pair.a.bvh, pair.b.bvh, options) : of_images(pair.a, pair.b, options, ask);
+}
+
 }  // namespace
 }  // namespace space
 
-HausdorffDistance hausdorff_from(const Bvh& a, const Bvh& b, const HausdorffOptions& options) {
-  space::require_hausdorff("hausdorff_from", a, b, options);
-  HausdorffDistance known{-1, 0, false, false, {}, 0, 0};
-  space::FarthestSearch("hausdorff_from", a, b, options, 0, 1).run(known, false);
-  return known;
+HausdorffDistance hausdorff_from(const BvhView& a, const BvhView& b, const HausdorffOptions& options) {
+  return space::ask_standing("hausdorff_from", a, b, options,
+                             [](const Bvh& x, const Bvh& y, const HausdorffOptions& o) {
+                               HausdorffDistance known{-1, 0, false, false, {}, 0, 0};
+                               space::FarthestSearch("hausdorff_from", x, y, o, 0, 1).run(known, false);
+                               return known;
+                             });
 }
 
-HausdorffDistance hausdorff_distance(const Bvh& a, const Bvh& b, const HausdorffOptions& options) {
-  space::require_hausdorff("hausdorff_distance", a, b, options);
-  HausdorffDistance known{-1, 0, false, false, {}, 0, 0};
-  space::FarthestSearch("hausdorff_distance", a, b, options, 0, 0.5).run(known, false);
-  space::FarthestSearch("hausdorff_distance", b, a, options, 0.5, 1).run(known, true);
-  return known;
+HausdorffDistance hausdorff_distance(const BvhView& a, const BvhView& b, const HausdorffOptions& options) {
+  return space::ask_standing("hausdorff_distance", a, b, options,
+                             [](const Bvh& x, const Bvh& y, const HausdorffOptions& o) {
+                               HausdorffDistance known{-1, 0, false, false, {}, 0, 0};
+                               space::FarthestSearch("hausdorff_distance", x, y, o, 0, 0.5).run(known, false);
+                               space::FarthestSearch("hausdorff_distance", y, x, o, 0.5, 1).run(known, true);
+                               return known;
+                             });
 }
 
 }  // namespace plumb

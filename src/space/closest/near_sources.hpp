@@ -13,7 +13,7 @@
 
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/overlap/overlap.hpp"
-#include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/mesh_view.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "query/overlap/posed_triangles.hpp"
 #include "space/closest/nearby_triangle.hpp"
@@ -113,6 +113,24 @@ class PosedSource {
   const PosedMesh& mesh_;
   PosedPlaces<Bvh> places_;
   double off_ = 0;
+};
+
+/// Two meshes that are asked how near they are.
+struct AskedPair {
+  PosedMesh a, b;
+
+  AskedPair(const char* function, const BvhView& x, const BvhView& y)
+      : a(under_pose(function, "a", x)), b(under_pose(function, "b", y)) {}
+  [[nodiscard]] bool stand() const { return a.pose == MeshPose(identity_pose) && b.pose == MeshPose(identity_pose); }
+  /// Under one rigid pose no distance changes.
+  [[nodiscard]] bool are_moved_as_one() const { return a.pose.matrix() == nullptr && a.pose == b.pose; }
+
+ private:
+  static PosedMesh under_pose(const char* function, const char* name, const BvhView& view) {
+    const MeshPose* const pose = view.pose();
+    if (pose != nullptr) require_pose(function, name, *pose);
+    return view.visit([&](const Bvh& bvh) { return pose != nullptr ? PosedMesh(bvh, *pose) : PosedMesh(bvh); });
+  }
 };
 
 }  // namespace plumb::space

@@ -169,6 +169,12 @@ void each_within(const Mesh& mesh, const Items& items, const typename Items::Poi
   });
 }
 
+/// The same of a mesh's triangles.
+template <class Mesh, class Visit>
+void each_within(const Mesh& mesh, const Point3& p, double distance, const Visit& visit) {
+  each_within(mesh, SlotTriangles(mesh), p, distance, visit);
+}
+
 template <class Mesh, class Candidate>
 ClosestOnMesh closest_found(const Mesh& mesh, const Point3& p, const Candidate& found) {
   const Closest closest = closest_points(p, mesh.triangle(found.slot));

@@ -8,15 +8,17 @@
 #include <algorithm>
 #include <vector>
 
+#include "plumb/arith/exact_distance.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/space/bvh/descend_compact.hpp"
-#include "plumb/space/closest/posed_closest.hpp"
+#include "plumb/space/closest/closest_on_mesh.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/bvh/watch.hpp"
 #include "space/closest/box_distance.hpp"
 #include "space/closest/near_feature.hpp"
 #include "space/closest/nearby_triangle.hpp"
+#include "space/closest/nearest_search.hpp"
 
 namespace plumb::space {
 
@@ -78,8 +80,43 @@ std::vector<PosedCandidate> nearest_posed(const PosedMeshOf<Mesh>& mesh, const P
   return found;
 }
 
+template <class Watch, class Mesh>
+class Nearest<Watch, PosedMeshOf<Mesh>> {
+ public:
+  Nearest(const PosedMeshOf<Mesh>& mesh, std::size_t k, Watch watch = {}, double within = beyond_all)
+      : mesh_(mesh), k_(k), watch_(watch), within_(within) {}
+  [[nodiscard]] std::vector<PosedCandidate> of(const Point3& p, std::uint32_t guess = no_slot) const {
+    return nearest_posed(mesh_, p, k_, guess, watch_, within_);
+  }
+
+ private:
+  const PosedMeshOf<Mesh>& mesh_;
+  std::size_t k_;
+  Watch watch_;
+  double within_;
+};
+
+/// visit(slot, d) for each triangle whose distance is at most this finite number, with its distance as a double.
+template <class Mesh, class Visit>
+void each_within(const PosedMeshOf<Mesh>& mesh, const Point3& p, double distance, const Visit& visit) {
+  const Aabb3 point{p, p};
+  const double limit = square_above_exact(distance);
+  const auto enters = [&](const Aabb3& box) { return !(square_below(point, box) > limit); };
+  descend(
+      mesh.bvh.tree, [&](const BoxNode& node) { return enters(around(mesh, node)); },
+      [&](std::uint32_t first, std::uint32_t count) {
+        for (std::uint32_t slot = first; slot < first + count; ++slot) {
+          const PosedTriangle triangle = mesh.triangle(slot);
+          if (!enters(around(triangle))) continue;
+          const double d = query::distance(triangle, p);
+          const auto exact = [&] { return ExactDistance{query::squared_distance_exact(triangle, p)}; };
+          if (d < distance || (d == distance && compare(exact(), distance) != Sign::positive)) visit(slot, d);
+        }
+      });
+}
+
 template <class Mesh>
-ClosestOnMesh posed_found(const PosedMeshOf<Mesh>& mesh, const Point3& p, const PosedCandidate& found) {
+ClosestOnMesh closest_found(const PosedMeshOf<Mesh>& mesh, const Point3& p, const PosedCandidate& found) {
   const query::ClosestOnPosed near = query::closest_on(mesh.triangle(found.slot), p);
   return {found.item, near.point, near.distance, near.feature};
 }

@@ -3,8 +3,8 @@
 
 #include "query/body/figure_input.hpp"
 #include "query/ray/numbers.hpp"
+#include "space/bvh/mesh_source.hpp"
 #include "space/closest/closest_pair_search.hpp"
-#include "space/closest/nearest_search.hpp"
 #include "space/closest/posed_nearest_search.hpp"
 #include "space/pairs/pair_answers.hpp"
 #include "space/pairs/pair_search.hpp"
@@ -64,31 +64,23 @@ std::optional<TrianglePair> any_intersecting_pair(const BvhView& a, const BvhVie
   });
 }
 
-std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, LastTriangle& last) {
+std::optional<ClosestOnMesh> closest_on_mesh(const BvhView& view, const Point3& p, LastTriangle& last) {
   query::require_figure("closest_on_mesh", "p", p);
-  const auto found = space::Nearest<>(mesh, 1).of(p, last.slot);
-  if (found.empty()) return {};
-  last.slot = found[0].slot;
-  return space::closest_found(mesh, p, found[0]);
-}
-std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3& p, LastTriangle& last) {
-  space::require_pose("closest_on_mesh", "mesh", mesh.pose);
-  query::require_figure("closest_on_mesh", "p", p);
-  const auto found = space::nearest_posed(mesh, p, 1, last.slot);
-  if (found.empty()) return {};
-  last.slot = found[0].slot;
-  return space::posed_found(mesh, p, found[0]);
+  return space::with_source("closest_on_mesh", "mesh", view, [&](const auto& mesh) -> std::optional<ClosestOnMesh> {
+    const auto found = space::Nearest<space::Unwatched, std::remove_cvref_t<decltype(mesh)>>(mesh, 1).of(p, last.slot);
+    if (found.empty()) return {};
+    last.slot = found[0].slot;
+    return space::closest_found(mesh, p, found[0]);
+  });
 }
 
-std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last,
+std::optional<ClosestTriangles> closest_triangles(const BvhView& a, const BvhView& b, LastPair& last,
                                                   const ClosestPairOptions& options) {
-  return space::closest_pair_from(space::StandingSource(a), space::StandingSource(b), last, options);
-}
-std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last,
-                                                  const ClosestPairOptions& options) {
-  space::require_pose("closest_triangles", "a", a.pose);
-  space::require_pose("closest_triangles", "b", b.pose);
-  return space::closest_pair_from(space::PosedSource(a), space::PosedSource(b), last, options);
+  const space::AskedPair asked("closest_triangles", a, b);
+  if (asked.stand())
+    return space::closest_pair_from(space::StandingSource(asked.a.bvh), space::StandingSource(asked.b.bvh), last,
+                                    options);
+  return space::closest_pair_from(space::PosedSource(asked.a), space::PosedSource(asked.b), last, options);
 }
 
 bool any_hit(const Bvh& bvh, const AnyRay& ray, LastTriangle& last, HitRule rule) {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "plumb/space/bvh/mesh_view.hpp"
-#include "space/pairs/mesh_source.hpp"
+#include "space/bvh/mesh_source.hpp"
 
 namespace plumb::space {
 

@@ -12,7 +12,7 @@
 #include "query/ray/posed_triangle.hpp"
 #include "space/bvh/blocks.hpp"
 #include "space/bvh/equal_lengths.hpp"
-#include "space/pairs/mesh_source.hpp"
+#include "space/bvh/mesh_source.hpp"
 #include "space/ray/along_x.hpp"
 
 namespace plumb {

@@ -1,6 +1,4 @@
 // Is what is nearest of moved meshes what is nearest of the exactly moved triangles?
-#include "plumb/space/closest/posed_closest.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,8 @@
 #include "plumb/arith/gmp.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/query/closest/pairs.hpp"
+#include "plumb/space/closest/closest_on_mesh.hpp"
+#include "plumb/space/closest/closest_triangles.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"

@@ -1,5 +1,5 @@
 // Does the Hausdorff distance of moved meshes lie between the two numbers, for their exact images?
-#include "plumb/space/closest/posed_hausdorff.hpp"
+#include "plumb/space/closest/hausdorff.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

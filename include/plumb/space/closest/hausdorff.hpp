@@ -2,6 +2,7 @@
 //
 //   const HausdorffDistance h = hausdorff_distance(a, b);    // both ways
 //   h.least <= the distance <= h.most                        // always
+//   hausdorff_distance({a, pose}, b)                         // of a mesh that has been moved
 //   hausdorff_from(a, b, {.absolute = 0.01}).most            // of the points of a from b: how far it sticks out
 //
 // Meshes are the sets of the points of their triangles: corners, edges and insides; triangles without area are the
@@ -13,10 +14,15 @@
 // its coordinates; what it stands for is at least as far from b as `least`, and `to` is the triangle of b nearest to
 // the point.  Of hausdorff_distance it is one of b, and `to` of a, where of_b.  (4) The answer depends on the meshes
 // and the options alone: not on their trees, execution or number of threads.  (5) Of a mesh and itself both numbers are
-// 0.
-// A mesh without triangles throws InvalidShape, naming it; tolerances that are negative or NaN likewise.
-// Source: RTCD 6.3.2; branch and bound over pieces of triangles: Guthe, Borodin and Klein 2005, Tang, Lee and Kim 2009.
-// Cost: a nearest triangle for every vertex, on all threads, then one or two for each piece.  Pieces are few where the
+// 0, and so they are of one tree under one pose.  (6) Under poses these are the distances of the exact images
+// (space/bvh/posed_mesh.hpp): vertices are rounded, and the interval is widened by how far that can have moved them, so
+// that most - least is as small as is asked for where that is more than this rounding.  The point is one of the rounded
+// image; it and the numbers are infinite beyond the largest double.
+// A mesh without triangles throws InvalidShape, naming it; tolerances that are negative or NaN likewise; a pose that is
+// NaN or infinite NonFinite ("hausdorff_from: a.pose.translation.x is nan, ...").
+// Source: RTCD 3.2, 6.3.2; branch and bound over pieces of triangles: Guthe, Borodin and Klein 2005, Tang, Lee and Kim 2009.
+// Cost: a nearest triangle for every vertex, on all threads, then one or two for each piece; under poses a copy of each
+// tree, fitted to the images.  Pieces are few where the
 // farthest points are few; of one surface in two triangulations as many as the triangles of one are cut by the other.
 // Bounded by n^2 log n operations for the vertices, on integers as long as the exponents' span; pieces end where they
 // are as small as doubles tell.
@@ -25,7 +31,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "plumb/space/bvh/bvh.hpp"
+#include "plumb/space/bvh/mesh_view.hpp"
 #include "plumb/space/bvh/progress.hpp"
 
 namespace plumb {
@@ -49,8 +55,8 @@ struct HausdorffDistance {
   friend bool operator==(const HausdorffDistance&, const HausdorffDistance&) = default;
 };
 
-HausdorffDistance hausdorff_from(const Bvh& a, const Bvh& b, const HausdorffOptions& options = {});
+HausdorffDistance hausdorff_from(const BvhView& a, const BvhView& b, const HausdorffOptions& options = {});
 
-HausdorffDistance hausdorff_distance(const Bvh& a, const Bvh& b, const HausdorffOptions& options = {});
+HausdorffDistance hausdorff_distance(const BvhView& a, const BvhView& b, const HausdorffOptions& options = {});
 
 }  // namespace plumb

@@ -21,7 +21,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "plumb/space/closest/posed_closest.hpp"
+#include "plumb/space/closest/closest_on_mesh.hpp"
+#include "plumb/space/closest/closest_triangles.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
 
@@ -38,12 +39,9 @@ struct LastPair {
 std::optional<TrianglePair> any_intersecting_pair(const BvhView& a, const BvhView& b, LastPair& last,
                                                   const PairOptions& options = {});
 
-std::optional<ClosestOnMesh> closest_on_mesh(const Bvh& mesh, const Point3& p, LastTriangle& last);
-std::optional<ClosestOnMesh> closest_on_mesh(const PosedMesh& mesh, const Point3& p, LastTriangle& last);
+std::optional<ClosestOnMesh> closest_on_mesh(const BvhView& mesh, const Point3& p, LastTriangle& last);
 
-std::optional<ClosestTriangles> closest_triangles(const Bvh& a, const Bvh& b, LastPair& last,
-                                                  const ClosestPairOptions& options = {});
-std::optional<ClosestTriangles> closest_triangles(const PosedMesh& a, const PosedMesh& b, LastPair& last,
+std::optional<ClosestTriangles> closest_triangles(const BvhView& a, const BvhView& b, LastPair& last,
                                                   const ClosestPairOptions& options = {});
 
 bool any_hit(const Bvh& bvh, const AnyRay& ray, LastTriangle& last, HitRule rule = HitRule::closed);

@@ -1,23 +1,28 @@
-#include "plumb/space/closest/posed_hausdorff.hpp"
+// How far do moved surfaces deviate?  By meshes of doubles near to their exact images, and how far off these are.
+//
+// Law: the interval of the rounded images, widened by how far any vertex of either was moved, holds the distance of the
+// exact ones.
+// Source: RTCD 3.2; that the distance moves by no more than the farthest point does is the triangle inequality.
+// Cost: a copy of each tree, fitted to the images.
+#pragma once
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "plumb/space/bvh/refit.hpp"
+#include "plumb/space/closest/hausdorff.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/closest/hausdorff_tolerance.hpp"
 #include "space/closest/nearby_corner.hpp"
 #include "space/closest/numbered_triangles.hpp"
 
-namespace plumb {
-namespace space {
-namespace {
+namespace plumb::space {
 
 /// What makes every image a double, which is below 2^2050 in size, and the root of its inverse; powers of two, exact.
-constexpr double smaller = 0x1p-1030, larger_by_half = 0x1p515;
+inline constexpr double smaller = 0x1p-1030, larger_by_half = 0x1p515;
 
-MeshPose::Rows rows_of(const MeshPose& pose) {
+inline MeshPose::Rows rows_of(const MeshPose& pose) {
   if (pose.matrix() == nullptr) return pose.rows();
   const auto& [c, t] = *pose.matrix();
   const auto row = [](double u, double v, double w, double shift) {
@@ -75,11 +80,9 @@ struct RoundedImages {
   }
 };
 
+/// ask(the image of a, that of b, the options for them).
 template <class Ask>
-HausdorffDistance of_images(const char* function, const PosedMesh& a, const PosedMesh& b, HausdorffOptions options,
-                            Ask ask) {
-  require_pose(function, "a", a.pose);
-  require_pose(function, "b", b.pose);
+HausdorffDistance of_images(const PosedMesh& a, const PosedMesh& b, HausdorffOptions options, const Ask& ask) {
   const RoundedImages images = RoundedImages::of(a, b);
   options.absolute *= images.scale;
   HausdorffDistance h = ask(images.a.bvh, images.b.bvh, options);
@@ -96,19 +99,4 @@ HausdorffDistance of_images(const char* function, const PosedMesh& a, const Pose
   return h;
 }
 
-}  // namespace
-}  // namespace space
-
-HausdorffDistance hausdorff_from(const PosedMesh& a, const PosedMesh& b, const HausdorffOptions& options) {
-  return space::of_images("hausdorff_from", a, b, options, [](const Bvh& x, const Bvh& y, const HausdorffOptions& o) {
-    return hausdorff_from(x, y, o);
-  });
-}
-
-HausdorffDistance hausdorff_distance(const PosedMesh& a, const PosedMesh& b, const HausdorffOptions& options) {
-  return space::of_images(
-      "hausdorff_distance", a, b, options,
-      [](const Bvh& x, const Bvh& y, const HausdorffOptions& o) { return hausdorff_distance(x, y, o); });
-}
-
-}  // namespace plumb
+}  // namespace plumb::space

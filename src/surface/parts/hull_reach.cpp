@@ -1,0 +1,116 @@
+#include "surface/parts/hull_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "plumb/arith/interval.hpp"
+#include "plumb/query/closest/closest.hpp"
+
+namespace plumb::surface {
+namespace {
+
+/// The nearest double may be below the number; the one above is not.
+double above(double nearest) {
+  return nearest == 0 ? 0 : std::nextafter(nearest, std::numeric_limits<double>::infinity());
+}
+double sum_above(double a, double b) { return (Interval(a) + Interval(b)).upper; }
+
+struct Patch {
+  Triangle3 at;
+  double off;  // of any point of the hull's surface from the patch that stands for it
+  double at_most;
+};
+struct LessFar {
+  bool operator()(const Patch& a, const Patch& b) const { return a.at_most < b.at_most; }
+};
+
+/// A guess of which part is near.
+double from_box(const RoundedPart& part, const Point3& p) {
+  const auto beyond = [](double low, double x, double high) { return std::max({low - x, x - high, 0.0}); };
+  return std::hypot(beyond(part.low.x, p.x, part.high.x), beyond(part.low.y, p.y, part.high.y),
+                    beyond(part.low.z, p.z, part.high.z));
+}
+
+class ReachFinder {
+ public:
+  explicit ReachFinder(std::span<const RoundedPart* const> parts) : parts_(parts), order_(parts.size()) {}
+
+  /// The bound of a patch, by the nearest parts; what the farthest of its corners is thought to be away.
+  void judge(Patch& patch, double& farthest_corner) {
+    const Point3 middle{(patch.at.a.x + patch.at.b.x + patch.at.c.x) / 3,
+                        (patch.at.a.y + patch.at.b.y + patch.at.c.y) / 3,
+                        (patch.at.a.z + patch.at.b.z + patch.at.c.z) / 3};
+    for (std::size_t i = 0; i < parts_.size(); ++i) order_[i] = {from_box(*parts_[i], middle), parts_[i]};
+    const std::size_t n = std::min(order_.size(), looked_at);
+    std::partial_sort(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(n), order_.end(),
+                      [](const auto& l, const auto& r) { return l.first < r.first; });
+    patch.at_most = std::numeric_limits<double>::infinity();
+    std::array<double, 3> nearest;
+    nearest.fill(patch.at_most);
+    for (std::size_t i = 0; i < n; ++i) {
+      const RoundedPart& part = *order_[i].second;
+      double most = 0;
+      std::size_t corner = 0;
+      for (const Point3& p : {patch.at.a, patch.at.b, patch.at.c}) {
+        const double d = distance(p, part.hull);
+        nearest[corner] = std::min(nearest[corner], d);
+        ++corner;
+        most = std::max(most, sum_above(above(d), part.off));
+      }
+      patch.at_most = std::min(patch.at_most, sum_above(most, patch.off));
+      if (most == 0) break;
+    }
+    farthest_corner = std::max({nearest[0], nearest[1], nearest[2]});
+  }
+
+ private:
+  static constexpr std::size_t looked_at = 6;
+  std::span<const RoundedPart* const> parts_;
+  std::vector<std::pair<double, const RoundedPart*>> order_;
+};
+
+/// Halves of the longest edge, which may be rounded; any point of the edge would do.
+std::array<Patch, 2> halves_of(const Patch& patch) {
+  const auto& [a, b, c] = patch.at;
+  const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
+  const auto cut = [&](const Point3& p, const Point3& q, const Point3& r) {
+    const Point3 middle{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
+    const double off = sum_above(patch.off, above(distance(middle, Segment3{p, q})));
+    return std::array{Patch{{p, middle, r}, off, 0}, Patch{{middle, q, r}, off, 0}};
+  };
+  if (ab >= bc && ab >= ca) return cut(a, b, c);
+  return bc >= ca ? cut(b, c, a) : cut(c, a, b);
+}
+
+}  // namespace
+
+Reach find_reach(const HullProxy& hull, std::span<const RoundedPart* const> parts, double enough, double too_far) {
+  constexpr int steps = 2'000;
+  ReachFinder finder(parts);
+  std::priority_queue<Patch, std::vector<Patch>, LessFar> patches;
+  Reach found;
+  const auto add = [&](Patch patch) {
+    double corner = 0;
+    finder.judge(patch, corner);
+    found.at_least = std::max(found.at_least, corner);
+    patches.push(patch);
+  };
+  for (std::size_t f = 0; f < hull.hull.face_count(); ++f) {
+    const auto ids = hull.hull.face(f);
+    for (std::size_t i = 2; i < ids.size(); ++i)
+      add({{hull.vertices[ids[0]], hull.vertices[ids[i - 1]], hull.vertices[ids[i]]}, 0, 0});
+  }
+  for (int step = 0; step < steps; ++step) {
+    const Patch top = patches.top();
+    const bool near_enough = top.at_most <= 1.05 * found.at_least;
+    if (top.at_most <= enough || found.at_least > too_far || near_enough) break;
+    patches.pop();
+    for (const Patch& half : halves_of(top)) add(half);
+  }
+  found.at_most = patches.top().at_most;
+  return found;
+}
+
+}  // namespace plumb::surface

@@ -1,0 +1,31 @@
+// How far does a hull reach beyond the convex parts that it is the hull of?
+//
+// Law: what is told is proved: no point of the hull's surface is farther from all parts.  On a triangle the distance
+// from one convex set is convex: none of its points is farther than the farthest of its corners.
+// Source: branch and bound; Lien and Amato 2007 for the question.
+// Cost: some 10 us a step; a budget ends it.
+#pragma once
+
+#include <span>
+
+#include "plumb/figure/bound/proxy.hpp"
+
+namespace plumb::surface {
+
+/// A convex part between doubles: it lies in the hull, no point of which is farther from it than `off`.
+struct RoundedPart {
+  std::vector<Point3> corners;
+  ConvexPolyhedron3 hull;
+  double off = 0;
+  Point3 low, high;
+};
+
+struct Reach {
+  double at_most = 0;   // proved
+  double at_least = 0;  // a guess
+};
+
+/// Ends where it is known to be at most `enough`, or thought to be more than `too_far`.
+Reach find_reach(const HullProxy& hull, std::span<const RoundedPart* const> parts, double enough, double too_far);
+
+}  // namespace plumb::surface
