@@ -55,6 +55,8 @@ std::vector<RepairStep> steps_of(const RepairSettings& settings) {
       throw Error("--only small-components needs a number; give it by '--smallest N'");
     steps.push_back({kind, settings.tolerance, settings.size, settings.chains ? WeldRule::chains : WeldRule::clusters,
                      settings.keep_turned ? TurnedOver::kept : TurnedOver::refused});
+    if (kind == RepairKind::holes && is_asked(settings, RepairKind::walls))
+      steps.push_back({RepairKind::walls});  // what is within a solid whose holes are filled
   }
   return steps;
 }
