@@ -105,8 +105,33 @@ TEST(WalksAlongCorners, LeaveCellsOutInFloatingPoint) {
   EXPECT_EQ(found.in("uniform", "double", 0), 0U);
 }
 
+TEST(Triangulations, LoseVerticesAndAreaInFloatingPoint) {
+  const Found found = found_by(triangulation_experiment());
+  for (const char* method : {"float32", "double", "absolute", "relative", "long-double"}) {
+    EXPECT_GT(found.in("bridged-hole", method, 0), 0U)
+        << method << ": whatever the numbers, a vertex on an edge is lost";
+    EXPECT_EQ(found.in("stars", method, 0) + found.in("stars", method, 1), 0U) << method;
+    EXPECT_EQ(found.in("lattice", method, 0) + found.in("lattice", method, 1), 0U) << method;
+  }
+  EXPECT_GT(found.in("strip", "double", 1), 0U);
+  EXPECT_GT(found.in("tenths", "double", 1), 0U);
+  EXPECT_GT(found.in("small", "absolute", 0) + found.in("small", "absolute", 4), 0U)
+      << "an epsilon takes all for nothing";
+}
+
+TEST(Welding, LosesVerticesAndHangsOnTheOrder) {
+  const Found found = found_by(welding_experiment());
+  EXPECT_GT(found.in("pairs", "grid", 0), 0U) << "the border of cells runs between";
+  EXPECT_GT(found.in("copies", "hashing", 0), 0U);
+  EXPECT_GT(found.in("zeros", "hashing", 3) + found.in("zeros", "hashing", 0), 0U);
+  EXPECT_GT(found.in("chains", "first-come", 3), 0U);
+  EXPECT_GT(found.in("far", "sorted", 0), 0U);
+  EXPECT_GT(found.in("pairs", "sorted", 1), 0U) << "floats lose vertices that are ulps too far";
+}
+
 TEST(Experiments, AreExactForOtherInputsAsWellAndRepeatable) {
-  for (const Experiment& e : {hull_experiment(), space_hull_experiment(), segment_experiment(), sweep_experiment()}) {
+  for (const Experiment& e : {hull_experiment(), space_hull_experiment(), segment_experiment(), sweep_experiment(),
+                              triangulation_experiment(), welding_experiment()}) {
     const auto other = found_by(e, 7).failures;
     EXPECT_EQ(other, found_by(e, 7).failures);
     EXPECT_NE(other, found_by(e).failures);

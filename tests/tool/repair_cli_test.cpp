@@ -6,6 +6,7 @@
 
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/topology/faults.hpp"
+#include "tool/browser.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 
@@ -32,6 +33,48 @@ TEST(RepairCommand, MendsAFileAndTellsEachChange) {
   EXPECT_EQ(mended.vertices.size(), 4U);
   EXPECT_THAT(content(folder / "r.json"), AllOf(HasSubstr("\"hole filled\""), HasSubstr("\"defects_after\": []")));
   EXPECT_EQ(content(folder / "a.obj"), broken);
+}
+
+TEST(RepairCommand, APageShowsTheMeshBeforeAndAfterAndLeadsToEachChange) {
+  const Folder folder;
+  put(folder / "a.obj", broken);
+  put(folder / "b.obj", whole);
+  const std::string all = "$PLUMB repair " + (folder / "a.obj") + " " + (folder / "b.obj");
+  const Outcome o = run(all + " --dry-run --page " + (folder / "p.html"));
+  EXPECT_EQ(o.code, 0) << o.err;
+  const std::string page = content(folder / "p.html");
+  EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), testing::EndsWith("</html>\n"), HasSubstr("hole filled")));
+  EXPECT_THAT(page, Not(testing::AnyOf(HasSubstr("http:"), HasSubstr("https:"), HasSubstr("src=\""))));
+  const Outcome again = run(all + " --dry-run --page " + (folder / "p.html"));
+  EXPECT_EQ(again.code, 2) << "no file is replaced that was not to be";
+  EXPECT_THAT(again.err, HasSubstr("p.html"));
+  EXPECT_EQ(content(folder / "p.html"), page);
+  EXPECT_EQ(run(all + " -o " + (folder / "out") + " --overwrite --page " + (folder / "p.html")).code, 0);
+  EXPECT_FALSE(find_faults(read_mesh(folder / "out/a.obj")).any());
+  if (!has_browser()) return;
+  const Outcome shown = in_browser(page, R"(addEventListener('DOMContentLoaded', () => {
+const painted = id => {
+  const canvas = document.getElementById(id), data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  let green = 0, any = 0;
+  for (let i = 0; i < data.length; i += 4) any += data[i + 3] > 0, green += data[i + 3] > 0 && data[i + 1] > 60 && data[i] < 20;
+  return [any > 2000, green > 200];
+};
+const rows = [...document.querySelectorAll('tr[data-mesh="0"]')], told = document.getElementById('told');
+const result = [painted('before'), painted('after'), told.textContent];
+const hole = rows.findIndex(row => row.dataset.change === 'hole filled');
+rows[hole].querySelector('button').click();
+const ring = document.getElementById('after').marks.find(([x, y, k]) => k === hole);
+result.push(Math.abs(ring[0] - 260) < 1 && Math.abs(ring[1] - 210) < 1, told.textContent.startsWith('hole filled'), rows[hole].classList.contains('fails'), painted('after'));
+document.querySelector('input[value="hole filled"]').click();
+const chooser = document.getElementById('mesh');
+chooser.value = 1;
+chooser.dispatchEvent(new Event('change'));
+result.push(document.getElementById('was').textContent.startsWith('before: closed'), painted('after'));
+document.title = result.flat().join();
+});)");
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  EXPECT_THAT(shown.err, Not(HasSubstr("CONSOLE")));
+  EXPECT_THAT(shown.out, HasSubstr("<title>true,false,true,true,,true,true,true,true,true,true,true,false</title>"));
 }
 
 TEST(RepairCommand, ADryRunWritesNothing) {

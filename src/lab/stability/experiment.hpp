@@ -80,5 +80,7 @@ Experiment motion_experiment();
 Experiment touch_experiment();
 Experiment neighbor_experiment();
 Experiment walk_experiment();
+Experiment triangulation_experiment();
+Experiment welding_experiment();
 
 }  // namespace plumb::lab::stability

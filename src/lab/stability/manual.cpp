@@ -32,6 +32,9 @@ relative       As double, with an epsilon of 1e-9 of the terms' size or,
 long-double    The same in the compiler's long double.
 exact          With exact decisions. It fails nothing.
 convex_hull    The library's own hull, beside the algorithms on trial.
+grid, hashing, sorted, first-come
+               Of welding: cells as wide as the tolerance; equal bits;
+               along x in floats; the first of the file that is near.
 coarse         Of cubics of motion, with an epsilon of 1e-6.
 advancement    Steps of the distance over the speed, until that is within
                1e-9 of the largest coordinate; coarse-advancement, 1e-6.

@@ -1,12 +1,15 @@
 // What is one too many: triangles on the same points, walls, small components.
 #include <algorithm>
 
+#include "figure/basic/lists_by_number.hpp"
+#include "plumb/arith/rational.hpp"
 #include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/surface/topology/components.hpp"
 #include "plumb/surface/topology/defects.hpp"
 #include "plumb/surface/topology/shells.hpp"
 #include "surface/repair/steps.hpp"
 #include "surface/topology/mesh_corner.hpp"
+#include "surface/topology/windings.hpp"
 
 namespace plumb::surface {
 namespace {
@@ -71,6 +74,31 @@ int what_stays(const TriangleMesh& mesh, const Heap& heap, const OtherRuns& othe
   return first > opposite ? 1 : -1;
 }
 
+/// Does a shell all but enclose a space: is the area that its triangles leave over, as vectors in sum, less than half of
+/// their own?  Both are measured by the magnitudes of coordinates; a sheet leaves all of its area over, a cavity with a
+/// hole that of the hole.
+bool is_all_but_closed(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const Windings& windings) {
+  std::array<Rational, 3> left_over;
+  Rational all;
+  for (const std::uint32_t t : triangles) {
+    if (windings.orientable[windings.components.of[t]] == 0) return false;
+    std::array<std::array<Rational, 3>, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point3& q = mesh.vertices[mesh.triangles[t][k]];
+      p[k] = {q.x, q.y, q.z};
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+      const Rational normal = (p[1][u] - p[0][u]) * (p[2][v] - p[0][v]) - (p[1][v] - p[0][v]) * (p[2][u] - p[0][u]);
+      left_over[k] = windings.against[t] != 0 ? left_over[k] - normal : left_over[k] + normal;
+      all = all + (normal.sign() == Sign::negative ? -normal : normal);
+    }
+  }
+  Rational sum;
+  for (const Rational& x : left_over) sum = sum + (x.sign() == Sign::negative ? -x : x);
+  return sum + sum < all;
+}
+
 }  // namespace
 
 void duplicates_step(RepairWork& work) {
@@ -104,11 +132,15 @@ void walls_step(RepairWork& work) {
   if (!any_open || manifold.count < 2) return;
   const Shells found =
       find_shells(work.mesh, edges, build_bvh(work.mesh, {.execution = work.execution}), {.execution = work.execution});
+  if (std::ranges::none_of(found.shells, &Shell::wall)) return;
   std::vector<std::uint8_t> marked(work.mesh.triangles.size());
-  for (std::uint32_t t = 0; t < marked.size(); ++t)
-    marked[t] = found.shell_of[t] != no_shell && found.shells[found.shell_of[t]].wall;
-  for (const Shell& s : found.shells)
-    if (s.wall) work.note(ChangeKind::removed_wall, work.mesh.triangles[s.first_triangle][0], s.triangles);
+  const Windings windings = find_windings(work.mesh, edges);
+  const figure::ListsByNumber lists(found.shell_of, found.shells.size());
+  for (std::size_t s = 0; s < found.shells.size(); ++s) {
+    if (!found.shells[s].wall || is_all_but_closed(work.mesh, lists[s], windings)) continue;
+    for (const std::uint32_t t : lists[s]) marked[t] = 1;
+    work.note(ChangeKind::removed_wall, work.mesh.triangles[lists[s][0]][0], lists[s].size());
+  }
   work.leave_out(marked);
 }
 

@@ -12,6 +12,8 @@ namespace {
 
 using Points = std::array<Point3, 3>;
 
+constexpr auto no_vertex = static_cast<std::uint32_t>(-1);
+
 bool points_before(const Points& s, const Points& t) {
   return std::ranges::lexicographical_compare(s, t, comes_before);
 }
@@ -52,10 +54,14 @@ void orientation_step(RepairWork& work) {
         std::ranges::lexicographical_compare(sorted_points(mesh, triangles, windings.against, 0),
                                              sorted_points(mesh, triangles, windings.against, 1), points_before))
       turned = 0;
-    work.note(ChangeKind::turned_triangles, mesh.triangles[triangles[0]][0],
-              std::min(against, triangles.size() - against));
-    for (const std::uint32_t t : triangles)
-      if (windings.against[t] == turned) turn(mesh.triangles[t]);
+    std::uint32_t first = no_vertex;  // of those that are turned
+    for (const std::uint32_t t : triangles) {
+      if (windings.against[t] != turned) continue;
+      turn(mesh.triangles[t]);
+      for (const std::uint32_t v : mesh.triangles[t])
+        if (first == no_vertex || comes_before(mesh.vertices[v], mesh.vertices[first])) first = v;
+    }
+    work.note(ChangeKind::turned_triangles, first, std::min(against, triangles.size() - against));
   }
 }
 

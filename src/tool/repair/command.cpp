@@ -55,6 +55,8 @@ std::vector<RepairStep> steps_of(const RepairSettings& settings) {
       throw Error("--only small-components needs a number; give it by '--smallest N'");
     steps.push_back({kind, settings.tolerance, settings.size, settings.chains ? WeldRule::chains : WeldRule::clusters,
                      settings.keep_turned ? TurnedOver::kept : TurnedOver::refused});
+    if (kind == RepairKind::holes && is_asked(settings, RepairKind::walls))
+      steps.push_back({RepairKind::walls});  // what is within a solid whose holes are filled
   }
   return steps;
 }
@@ -156,6 +158,7 @@ int run_repair(const RepairSettings& settings) {
   const Destinations to(settings, inputs);
   promise_meshes(settings, to, outputs);
   outputs.promise("--json", settings.json);
+  outputs.promise_unless_there("--page", settings.page, settings.overwrite);
   const ThreadLimit limit(settings.threads);
   const bool says = !outputs.on_standard_output();
   const Style style(stdout);
@@ -165,6 +168,7 @@ int run_repair(const RepairSettings& settings) {
   report["not_read"] = nlohmann::json::array();
   if (says)
     for (const std::string& remark : inputs.remarks) say(remark);
+  RepairPage page;
   std::vector<LaterFile> later;
   later.reserve(to.paths.size());
   bool any_left = false;
@@ -189,11 +193,13 @@ int run_repair(const RepairSettings& settings) {
         }
         if (says) say(repair_text(m, style)), flush_output();
         report["meshes"].push_back(repair_json(m));
+        if (settings.page) page.add(mesh, m);
       },
       [&](const UnreadMesh& m) {
         report["not_read"].push_back({{"mesh", m.name}, {"error", m.why}});
       });
   if (outputs.wants("--json")) outputs.write("--json", json_text(report));
+  if (settings.page) outputs.write("--page", page.text());
   if (!all_good) return 2;
   std::vector<PathAndText> files = outputs.keep_streams();
   for (const LaterFile& file : later) files.push_back({file.path, file.text, surface::Replacing::no});

@@ -9,7 +9,8 @@
 // Cost: that of repair, and of find_faults before it.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,8 +24,8 @@ namespace plumb::tool {
 
 struct RepairSettings {
   MeshArguments meshes;
-  std::optional<std::string> output, json;  // "-" is standard output
-  std::vector<std::string> only;            // names of steps
+  std::optional<std::string> output, json, page;  // "-" is standard output
+  std::vector<std::string> only;                  // names of steps
   double tolerance = 0;
   std::uint64_t size = 0;  // components of fewer triangles are left out
   bool chains = false, keep_turned = false, dry_run = false, overwrite = false, fail_on_left = false;
@@ -43,6 +44,21 @@ struct MendedMesh {
   SurfaceFaults before;
   Repaired done;
   std::optional<std::string> written;  // the file
+};
+
+/// Of so many changes the place is told, in JSON and on the page.
+inline constexpr std::size_t most_places = 1000;
+
+/// One page that opens offline: the meshes before and after, the places of the changes, and a list that leads to them.
+class RepairPage {
+ public:
+  void add(const TriangleMesh& before, const MendedMesh& mended);
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::string body_;
+  std::vector<nlohmann::json> scenes_;
+  std::array<bool, change_kinds> kinds_{};
 };
 
 std::string repair_text(const MendedMesh& mesh, const Style& style);

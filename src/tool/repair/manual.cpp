@@ -33,7 +33,8 @@ t-junctions
 zip    Open edges within --tolerance of each other are joined.
 duplicates
        Of triangles on the same three points one is left at most.
-walls  Open shells inside of a solid are left out.
+walls  Open shells inside of a solid are left out, but for those that
+       all but close: cavities with holes.
 small-components
        Components of fewer triangles than --smallest are left out.
 orientation
@@ -58,6 +59,9 @@ plumb repair part.stl -o mended.stl
 
 plumb repair --dry-run --tolerance 0.01 parts/
        What would be changed in each mesh of a folder.
+
+plumb repair --dry-run part.stl --page changes.html
+       The same for one mesh, to look at: open changes.html.
 
 plumb repair --only weld,unused part.obj -o welded.obj
        These steps alone.)"}}};

@@ -14,7 +14,7 @@ Command repair_command(CLI::App& program) {
                    "Write the mended mesh to this file, in the format of its extension; of several meshes, to files of "
                    "their names in this folder, which is made where it is missing. - is standard output, as OBJ.")
       ->type_name("OUT");
-  parser->add_flag("--overwrite", o.overwrite, "Replace files of --output that are there.");
+  parser->add_flag("--overwrite", o.overwrite, "Replace files of --output and --page that are there.");
   parser->add_flag("--dry-run", o.dry_run, "Write no mesh; say what would be changed.");
   parser
       ->add_option(
@@ -36,6 +36,8 @@ Command repair_command(CLI::App& program) {
                    "Weld also where a triangle turns over by it; else such vertices stay apart.");
   parser->add_option("--smallest", o.size, "Leave out components of fewer than N triangles.")->type_name("N");
   add_output(parser, "--json", o.json, "Write what was changed, and what is left, as JSON");
+  add_output(parser, "--page", o.page,
+             "Write one page for a browser, which needs no network: each mesh before and after, and its changes");
   parser->add_flag("--fail-on-left", o.fail_on_left, "Exit with 1 when a mended mesh still has a fault.");
   add_threads(parser, o.threads);
   return {parser, repair_manual, [settings] { return run_repair(*settings); }, &o.meshes.words};

@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_places = 1000;
-
 /// How often each kind of change was made, and how far the farthest moved.
 struct Tallied {
   std::uint64_t times = 0;

@@ -16,16 +16,18 @@ namespace plumb::meshes_alike {
 using Corner = std::array<double, 3>;
 using Corners = std::array<Corner, 3>;
 
-/// Triangles by their points, from the least on: what no numbering changes.
+inline Corner corner_of(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
+
+/// From the least point on.
+inline Corners corners_of(const TriangleMesh& mesh, const TriangleMesh::Triangle& t) {
+  const Corners c{corner_of(mesh.vertices[t[0]]), corner_of(mesh.vertices[t[1]]), corner_of(mesh.vertices[t[2]])};
+  return std::min({c, Corners{c[1], c[2], c[0]}, Corners{c[2], c[0], c[1]}});
+}
+
+/// Triangles by their points: what no numbering changes.
 inline std::multiset<Corners> triangles_of(const TriangleMesh& mesh) {
   std::multiset<Corners> all;
-  for (const auto& t : mesh.triangles) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = {mesh.vertices[t[k]].x + 0.0, mesh.vertices[t[k]].y + 0.0, mesh.vertices[t[k]].z + 0.0};
-    const auto turned = [&](std::size_t k) { return Corners{corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]}; };
-    all.insert(std::min({turned(0), turned(1), turned(2)}));
-  }
+  for (const auto& t : mesh.triangles) all.insert(corners_of(mesh, t));
   return all;
 }
 
@@ -38,7 +40,7 @@ inline TriangleMesh shuffled(const TriangleMesh& mesh, std::mt19937& random) {
   for (std::size_t v = 0; v < order.size(); ++v) other.vertices[order[v]] = mesh.vertices[v];
   for (auto& t : other.triangles) {
     for (auto& v : t) v = order[v];
-    std::ranges::rotate(t, t.begin() + random() % 3);
+    std::rotate(t.begin(), t.begin() + random() % 3, t.end());
   }
   std::ranges::shuffle(other.triangles, random);
   return other;

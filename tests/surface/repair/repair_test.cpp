@@ -1,24 +1,19 @@
-// Repair: faults planted in sound meshes are mended and nothing is left to find; what was not asked for stays, and the
-// order of the input changes nothing.
+// Repair: what each step does, had alone or in the default plan; what is sound stays.  planted_faults_test.cpp has the
+// faults that a mesh can have, one by one.
 #include "plumb/surface/repair/repair.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <iostream>
-#include <numeric>
 #include <random>
 #include <set>
 
 #include "figure/basic/solids.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/measures/measures.hpp"
-#include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/topology/components.hpp"
 #include "surface/repair/meshes_alike.hpp"
-#include "surface/repair/planted_faults.hpp"
 
 namespace plumb {
 namespace {
@@ -44,71 +39,6 @@ TEST(Repair, WhatIsSoundStaysBitForBit) {
     expect_sound(done);
   }
   EXPECT_TRUE(repair(TriangleMesh{}).mesh.triangles.empty());
-}
-
-TEST(Repair, EachPlantedFaultIsMended) {
-  for (const std::string_view fault : planted::faults) {
-    SCOPED_TRACE(fault);
-    for (std::uint32_t seed = 0; seed < 12; ++seed) {
-      SCOPED_TRACE(seed);
-      std::mt19937 random(seed);
-      TriangleMesh mesh = seed % 2 == 0 ? grid_box(3) : solids::hollow_torus(4, 1, 12, 9);
-      const auto whole = triangles_of(mesh);
-      if (!planted::plant(fault, mesh, random)) continue;
-      const Repaired done = repair(mesh);
-      expect_sound(done);
-      EXPECT_FALSE(done.changes.empty());
-      if (fault != "wide hole" && fault != "T-junction" && fault != "inside out") {
-        EXPECT_EQ(triangles_of(done.mesh), whole) << "as it was before";
-      }
-      if (fault == "inside out") {
-        EXPECT_EQ(count(done, ChangeKind::turned_shell), seed % 2 == 0 ? 1U : 2U);
-      }
-      EXPECT_EQ(triangles_of(repair(shuffled(mesh, random), {.execution = Execution::serial}).mesh),
-                triangles_of(done.mesh));
-    }
-  }
-}
-
-TEST(Repair, ManyFaultsAtOnce) {
-  for (std::uint32_t seed = 0; seed < 40; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 random(seed);
-    TriangleMesh mesh = grid_box(4);
-    for (int i = 0; i < 6; ++i) planted::plant(planted::faults[random() % planted::faults.size()], mesh, random);
-    const Repaired done = repair(mesh);
-    if (done.faults.any()) {
-      bool named = false;
-      for (const RepairChange& c : done.changes) named = named || is_left(c.kind);
-      EXPECT_TRUE(named) << "what stays is told";
-    }
-    EXPECT_EQ(triangles_of(repair(shuffled(mesh, random)).mesh), triangles_of(done.mesh));
-    const Repaired again = repair(done.mesh);
-    EXPECT_EQ(triangles_of(again.mesh), triangles_of(done.mesh));
-  }
-}
-
-TEST(Repair, TheModels) {
-  const std::filesystem::path folder(PLUMB_SHARED_DIR "/models");
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no models";
-  std::size_t planted_in = 0;
-  for (const char* name : {"spot.obj", "cow.obj", "rocker-arm.obj", "fandisk.obj"}) {
-    if (!std::filesystem::exists(folder / name)) continue;
-    SCOPED_TRACE(name);
-    const TriangleMesh whole = repair(read_mesh((folder / name).string())).mesh;
-    const SurfaceFaults before = find_faults(whole);
-    std::mt19937 random(7);
-    TriangleMesh mesh = whole;
-    for (int i = 0; i < 40; ++i) planted::plant(planted::faults[random() % 9], mesh, random);
-    const Repaired done = repair(mesh);
-    EXPECT_EQ(done.faults.open_edges, before.open_edges);
-    EXPECT_EQ(done.faults.has("unoriented") || done.faults.has("duplicate") || done.faults.has("opposite") ||
-                  done.faults.has("degenerate") || done.faults.has("vertex-on-edge") || done.faults.has("inside-out"),
-              false);
-    EXPECT_EQ(done.faults.closed, before.closed);
-    ++planted_in;
-  }
-  std::cout << planted_in << " models\n";
 }
 
 TEST(Repair, StepsCanBeHadAlone) {

@@ -15,7 +15,8 @@
 //   the tolerance are divided there, as long as edges are closed by it.
 // - duplicates: of triangles on the same three points at most one is left: of equal ones the first, of opposite ones that
 //   which its neighbors agree with, or none (a wall without thickness).
-// - walls: open shells inside of a solid are left out (shells.hpp).
+// - walls: open shells inside of a solid are left out (shells.hpp), but those that all but enclose a space: the area
+//   that their triangles leave over, as vectors in sum, is less than half of their own.  They are cavities with holes.
 // - small_components: those of fewer triangles than `size`, joined over edges, are left out.
 // - orientation: over edges of two triangles, each component is wound alike; the fewer triangles are turned.
 // - holes: boundary loops are filled, without new vertices.  Loops of one plane, one around others, are filled between
@@ -85,8 +86,8 @@ struct RepairStep {
   CollinearVertices collinear = CollinearVertices::dropped;  // of merge_coplanar
 };
 
-/// weld, degenerate, t_junctions, zip where there is a tolerance, duplicates, walls, orientation, holes, outward, split,
-/// unused.
+/// weld, degenerate, t_junctions, zip where there is a tolerance, duplicates, walls, orientation, holes, walls again (of
+/// solids that had holes), outward, split, unused.
 std::vector<RepairStep> printable_solid(double tolerance = 0);
 
 enum class ChangeKind : unsigned char {
