@@ -13,9 +13,6 @@ namespace {
 
 using namespace query;
 
-template <class S>
-using PointOf = std::conditional_t<is_in_space<S>, Point3, Point2>;
-
 template <class T, class A, class B>
 [[gnu::always_inline]] inline std::optional<SpotsOnLines> places_over(const A& a, const B& b) {
   CertainSigns ask;

@@ -12,9 +12,6 @@ namespace plumb {
 namespace query {
 namespace {
 
-template <class Point>
-using ChainView = std::span<const Point>;
-
 std::array<Point2, 4> corners(const Quadrilateral2& s) { return {s.a, s.b, s.c, s.d}; }
 std::array<Point3, 4> corners(const Quadrilateral3& s) { return {s.a, s.b, s.c, s.d}; }
 

@@ -47,11 +47,6 @@ PosedSet posed_set(const PosedView& figure) {
   return s;
 }
 
-double PosedSet::radius_of_axis() const {
-  const auto* cone = std::get_if<const Cone3*>(&axis);
-  return cone != nullptr ? (*cone)->radius : std::get<const Cylinder3*>(axis)->radius;
-}
-
 FlatSet image(const PosedSet& s) { return image(s.map, s.core); }
 
 ExactChains image(const ExactMap& map, const ExactChains& chains) {

@@ -29,7 +29,6 @@ struct PosedSet {
   [[nodiscard]] bool is_polygon() const { return !chains.empty(); }
   [[nodiscard]] bool is_round() const { return sgn(radius) > 0; }
   [[nodiscard]] bool has_axis() const { return axis.index() != 0; }
-  [[nodiscard]] double radius_of_axis() const;  // of a cylinder or a cone that has one
 };
 
 /// Of what has been looked at: finite numbers, radii that are not negative.  Balls of radius zero are points, caps

@@ -31,13 +31,6 @@ Asked asked_of(const QuickHull& h, std::span<const std::uint32_t> in_plane) {
   return {&h.given(0), of, h.size(), in_plane};
 }
 
-template <int count>
-bool are_nearest(const Pairs& pairs, const Asked& a, const Asked& b) {
-  FloatWorld<AreNearest<count>> w;
-  const bool is_so = AreNearest<count>{}(w, pairs, a, b);
-  return is_so && w.certain();
-}
-
 /// Corners that were asked about, and those of them that are known to lie in the planes.
 struct NearestQuestion {
   QuickNearest found;
