@@ -7,8 +7,8 @@
 
 #include "figure/basic/solids.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
-#include "tool/inside/point_list.hpp"
 #include "tool/matchers.hpp"
+#include "tool/rows/named_rows.hpp"
 #include "tool/run_program.hpp"
 
 namespace plumb::tool {
@@ -76,13 +76,13 @@ TEST(Inside, ReadsPointsFromAFileAndStandardInput) {
   EXPECT_THAT(run(at + "--points probes.txt - <hollow.obj").out, HasSubstr("standard input: 16 vertices"));
 }
 
-TEST(PointList, TakesCommasAndBlanks) {
-  const std::vector<NamedPoint> points =
-      parse_points("x,y,z\n1,2,3\n4 5 6\r\n\t7 ; 8;9\n#\n  \n-1e-3,.5,+2 # x\n0.1 0 0", "list");
+TEST(NamedRows, TakesCommasAndBlanks) {
+  const std::vector<NamedRow> points =
+      parse_named_rows("x,y,z\n1,2,3\n4 5 6\r\n\t7 ; 8;9\n#\n  \n-1e-3,.5,+2 # x\n0.1 0 0", "list", point_shape);
   ASSERT_EQ(points.size(), 5u);
-  EXPECT_EQ(points[1].point, (Point3{4, 5, 6}));
-  EXPECT_EQ(points[2].point, (Point3{7, 8, 9}));
-  EXPECT_EQ(points[3].point, (Point3{-1e-3, 0.5, 2}));
+  EXPECT_EQ(point_of(points[1]), (Point3{4, 5, 6}));
+  EXPECT_EQ(point_of(points[2]), (Point3{7, 8, 9}));
+  EXPECT_EQ(point_of(points[3]), (Point3{-1e-3, 0.5, 2}));
   EXPECT_EQ(points[3].name, "-1e-3,.5,+2");
   EXPECT_TRUE(points[0].exact);
   EXPECT_FALSE(points[4].exact);

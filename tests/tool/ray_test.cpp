@@ -34,6 +34,25 @@ TEST(RayCommand, SaysFirstAndAllHits) {
   EXPECT_EQ(rays.at(1).at("hits").at(1).at("t"), 0.5);
 }
 
+TEST(RayCommand, ReadsTablesOfRaysAndSegments) {
+  const Folder folder;
+  std::ofstream(folder / "roof.obj") << roof;
+  std::ofstream(folder / "rays.csv") << "ox,oy,oz,dx,dy,dz\n1.5,0.5,3,0,0,-1\n# past it\n9 9 9 0 0 -1\n";
+  std::ofstream(folder / "ways.txt") << "0.5 1.5 1  0.5 1.5 0\n";
+  const std::string at = "cd " + (folder / "") + " && $PLUMB ray ";
+  const auto report =
+      nlohmann::json::parse(run(at + "--rays rays.csv --segments ways.txt --ray 1,1,3,0,0,1 roof.obj --json -").out);
+  const auto& rays = report.at("rays");
+  ASSERT_EQ(rays.size(), 4u);
+  EXPECT_EQ(rays.at(0).at("name"), "1,1,3,0,0,1");
+  EXPECT_EQ(rays.at(1).at("name"), "1.5,0.5,3,0,0,-1");
+  EXPECT_EQ(rays.at(1).at("hits").at(0).at("triangle"), 0);
+  EXPECT_TRUE(rays.at(2).at("hits").empty());
+  EXPECT_EQ(rays.at(3).at("kind"), "segment");
+  EXPECT_EQ(rays.at(3).at("hits").at(0).at("triangle"), 1);
+  EXPECT_THAT(run(at + "--rays - roof.obj", "1.5,0.5,3,0,0,-1\n").out, HasSubstr("; 1 ray\n"));
+}
+
 TEST(RayCommand, WritesTheTrianglesThatAreSaidToBeHit) {
   const Folder folder;
   std::ofstream(folder / "roof.obj") << roof;
@@ -49,11 +68,17 @@ TEST(RayCommand, WritesTheTrianglesThatAreSaidToBeHit) {
 TEST(RayCommand, RefusesWhatIsNoRay) {
   const Folder folder;
   std::ofstream(folder / "roof.obj") << roof;
+  std::ofstream(folder / "bad.csv") << "1,2,3,0,0,-1\n1,2,3,0,0\n";
   const std::string at = "cd " + (folder / "") + " && $PLUMB ray ";
   const std::pair<const char*, const char*> refusals[] = {
       {"roof.obj", "a --ray or a --segment is needed"},
       {"--ray 1,2,3 roof.obj", "this has 3 numbers; a ray has six: origin and direction"},
       {"--segment 1,2,3,4,5,x roof.obj", "--segment 1,2,3,4,5,x"},
+      {"--ray 1,2,3,0,0,-0 roof.obj", "its direction is zero"},
+      {"--rays bad.csv roof.obj", "bad.csv, line 2: this has 5 numbers; a ray has six"},
+      {"--segments roof.obj roof.obj", "roof.obj"},
+      {"--rays - -", "'-' stands twice"},
+      {"--rays bad.csv roof.obj --json bad.csv", "--json would replace bad.csv, which this run reads"},
       {"--ray 1,2,3,4,5,6", "one MESH is needed"},
       {"--ray 1,2,3,4,5,6 none.obj", "none.obj"}};
   for (const auto& [line, words] : refusals) {

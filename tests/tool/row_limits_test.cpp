@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "plumb/arith/error.hpp"
-#include "tool/inside/point_list.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/row_files.hpp"
 #include "tool/rows/decimal_rows.hpp"
+#include "tool/rows/named_rows.hpp"
 #include "tool/rows/npy.hpp"
 #include "tool/rows/number_table.hpp"
 #include "tool/run_program.hpp"
@@ -189,9 +189,9 @@ TEST(NumberTable, HoldsColumnsToTheirNames) {
                            "id,min x,min y,min z,max x,max y\n"
                            "0,0,0,0,1,1"})
     EXPECT_EQ(columns(text, boxes), 0U) << text;
-  EXPECT_THROW(parse_points("id,x,y\n1,2,3", "list"), Error);
-  EXPECT_THROW(parse_points("z,y,x\n1,2,3", "list"), Error);
-  EXPECT_EQ(parse_points("a,b,c\n1,2,3", "list").size(), 1U);
+  EXPECT_THROW(parse_named_rows("id,x,y\n1,2,3", "list", point_shape), Error);
+  EXPECT_THROW(parse_named_rows("z,y,x\n1,2,3", "list", point_shape), Error);
+  EXPECT_EQ(parse_named_rows("a,b,c\n1,2,3", "list", point_shape).size(), 1U);
 }
 
 TEST(DecimalRows, PassOverAHeaderAndNothingElse) {

@@ -18,6 +18,25 @@ std::optional<Hit> HitSearch::hit(std::uint32_t slot) const {
 
 std::optional<HitSearch::SlotHit> HitSearch::between(std::uint32_t slot, bool certain, double least,
                                                      double most) const {
+  const auto found = hit_between(slot, certain, least, most);
+  if (found && limits_ != nullptr && is_left_out(*found)) return {};
+  return found;
+}
+
+bool HitSearch::is_left_out(const SlotHit& hit) const {
+  const auto& [least, most, skip] = *limits_;
+  if (std::find(skip.begin(), skip.end(), number(hit.slot)) != skip.end()) return true;
+  if (hit.most < least || hit.least > most) return true;
+  if (hit.least >= least && hit.most <= most) return false;
+  const auto t = pose_ != nullptr ? query::first_hit_parameter(*ray_, posed(hit.slot), rule_)
+                                  : first_hit_parameter(*ray_, triangles_.triangle(hit.slot), rule_);
+  const auto is_below = [&](double limit) { return std::isfinite(limit) && *t < RayParameter{Rational(limit)}; };
+  const auto is_above = [&](double limit) { return std::isfinite(limit) && *t > RayParameter{Rational(limit)}; };
+  return is_below(least) || is_above(most) || least == infinity || most == -infinity;
+}
+
+std::optional<HitSearch::SlotHit> HitSearch::hit_between(std::uint32_t slot, bool certain, double least,
+                                                         double most) const {
   if (certain) return SlotHit{slot, least, most};
   if (least > -infinity && most < infinity) {
     if (is_hit(slot)) return SlotHit{slot, least, most};
@@ -69,14 +88,14 @@ std::optional<NumberedHit> FirstHit::first() const {
   return numbered(*first);
 }
 
-double AnyHit::visit(std::uint32_t slot, bool certain, double, double) {
-  found_ = certain || is_hit(slot);
+double AnyHit::visit(std::uint32_t slot, bool certain, double least, double most) {
+  found_ = counts(slot, certain, least, most);
   slot_ = slot;
   return found_ ? -infinity : limit_;
 }
 
-double CountedHits::visit(std::uint32_t slot, bool certain, double, double) {
-  if (certain || is_hit(slot)) numbers_.push_back(number(slot));
+double CountedHits::visit(std::uint32_t slot, bool certain, double least, double most) {
+  if (counts(slot, certain, least, most)) numbers_.push_back(number(slot));
   return limit_;
 }
 std::size_t CountedHits::count() {

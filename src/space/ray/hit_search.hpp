@@ -11,6 +11,7 @@
 // Cost: an exact question for triangles that doubles leave in doubt, and for parameters that they do.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -43,6 +44,14 @@ class HitSearch : public TriangleVisitor {
     pose_ = &mesh.pose;
   }
 
+  /// Before it is asked for: what they leave out is no hit.
+  void keep_within(const HitLimits& limits) {
+    limits_ = &limits;
+    limit_ = std::min(limit_, keys_.limit_at(limits.most));
+  }
+  /// The key up to which the search has begun to look.
+  [[nodiscard]] double limit() const { return limit_; }
+
   [[nodiscard]] AskedRay asked() {
     if (pose_ != nullptr) return {seen_->ray, this, seen_->doubts};
     return {query::batch_ray(*ray_), this};
@@ -54,7 +63,7 @@ class HitSearch : public TriangleVisitor {
     asked.doubts.are_given = false;
   }
   /// By slabs whose keys were given.
-  [[nodiscard]] RayTask task(const RaySlabs& slabs) { return {asked(), slabs.planes(), slabs.limit()}; }
+  [[nodiscard]] RayTask task(const RaySlabs& slabs) { return {asked(), slabs.planes(), limit_}; }
 
  protected:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -69,17 +78,25 @@ class HitSearch : public TriangleVisitor {
 
   [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return triangles_.number(slot); }
   [[nodiscard]] bool is_hit(std::uint32_t slot) const;
+  /// And within the limits.
+  [[nodiscard]] bool counts(std::uint32_t slot, bool certain, double least, double most) const {
+    return limits_ != nullptr ? between(slot, certain, least, most).has_value() : certain || is_hit(slot);
+  }
   [[nodiscard]] std::optional<Hit> hit(std::uint32_t slot) const;
   [[nodiscard]] NumberedHit numbered(std::uint32_t slot) const { return {number(slot), *hit(slot)}; }
-  /// Nothing where it is not hit.
+  /// Nothing where it is not hit, or not within the limits.
   [[nodiscard]] std::optional<SlotHit> between(std::uint32_t slot, bool certain, double least, double most) const;
   [[nodiscard]] bool is_before(const SlotHit& a, const SlotHit& b) const;
+
+  [[nodiscard]] std::optional<SlotHit> hit_between(std::uint32_t slot, bool certain, double least, double most) const;
+  [[nodiscard]] bool is_left_out(const SlotHit& hit) const;
 
   [[nodiscard]] PosedTriangle posed(std::uint32_t slot) const { return {triangles_.triangle(slot), *pose_}; }
 
   const AnyRay* ray_;
   const SeenRay* seen_ = nullptr;
   const MeshPose* pose_ = nullptr;  // of a mesh that has one
+  const HitLimits* limits_ = nullptr;
   SlotTriangles triangles_;
   HitRule rule_;
   RaySlabs::Keys keys_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "query/ray/numbers.hpp"
 #include "space/bvh/blocks.hpp"
@@ -21,31 +22,54 @@ template <class Source>
 constexpr std::size_t rays_of_part = space::is_posed_source<Source> ? 64 : 2048;
 constexpr std::size_t rays_of_block = 256;
 
+void require_numbers(const char* function, const HitLimits& limits) {
+  for (const auto& [name, number] : {std::pair("least", limits.least), std::pair("most", limits.most)}) {
+    if (std::isnan(number)) throw NonFinite(std::string(function).append(": limits.").append(name).append(" is NaN"));
+  }
+}
+
 /// answer(the search along the ray).
 template <class Search, class Answer>
-auto searched(const char* function, const MeshView& view, const AnyRay& ray, HitRule rule, const Answer& answer) {
+auto searched(const char* function, const MeshView& view, const AnyRay& ray, HitRule rule, const HitLimits* limits,
+              const Answer& answer) {
   if (!query::is_sound(ray)) [[unlikely]]
     query::require_ray(function, ray);
+  if (limits != nullptr) require_numbers(function, *limits);
   return space::with_source(function, "mesh", view, [&]<class Source>(const Source& source) {
     if constexpr (space::is_posed_source<Source>) {
       const auto seen = space::Sight(source)(ray);
       if (!seen) {
         Search search(ray, source, rule);
+        if (limits != nullptr) search.keep_within(*limits);
         space::visit_unseen(source, ray, search);
         return answer(search);
       }
       Search search(ray, *seen, source, rule);
+      if (limits != nullptr) search.keep_within(*limits);
       const space::RayTask task = search.task(seen->slabs);
       space::visit_triangles(source.bvh, {&task, 1});
       return answer(search);
     } else {
       const RaySlabs slabs(ray, source.tree.frame, source.tree.box());
       Search search(ray, slabs.keys(), source, rule);
+      if (limits != nullptr) search.keep_within(*limits);
       const space::RayTask task = search.task(slabs);
       space::visit_triangles(source, {&task, 1});
       return answer(search);
     }
   });
+}
+
+/// One of many: the ray, and its limits where it has some.
+struct AskedOf {
+  const AnyRay* ray;
+  const HitLimits* limits;
+};
+
+template <class Search>
+Search& begun(Search& search, const AskedOf& of) {
+  if (of.limits != nullptr) search.keep_within(*of.limits);
+  return search;
 }
 
 /// Searches along rays that are taken down in packets where they are near one another, plain and fit, else by turns.
@@ -58,21 +82,24 @@ class Searches {
   }
 
   /// At most a packet's size of them.
-  void add(std::span<const AnyRay* const> rays) {
+  void add(std::span<const AskedOf> rays) {
     space::PacketTask& packet = packets_[packed_];
-    if (are_near_ && space::put_plainly(rays, frame_, box_, packet.planes)) {
+    std::array<const AnyRay*, space::packet_size> plain;
+    for (std::size_t i = 0; i < rays.size(); ++i) plain[i] = rays[i].ray;
+    if (are_near_ && space::put_plainly(std::span(plain).first(rays.size()), frame_, box_, packet.planes)) {
       packet.size = rays.size();
       for (std::size_t i = 0; i < rays.size(); ++i) {
-        const RaySlabs::Keys& keys = query::ends(*rays[i]) ? space::plain_segment : space::plain_ray;
-        searches_.emplace_back(*rays[i], keys, mesh_, rule_).ask(packet.asked[i]);
-        packet.limits[i] = keys.limit;
+        const RaySlabs::Keys& keys = query::ends(*rays[i].ray) ? space::plain_segment : space::plain_ray;
+        Search& search = begun(searches_.emplace_back(*rays[i].ray, keys, mesh_, rule_), rays[i]);
+        search.ask(packet.asked[i]);
+        packet.limits[i] = search.limit();
       }
       if (++packed_ == packets_.size()) run_packets();
       return;
     }
-    for (const AnyRay* ray : rays) {
-      const RaySlabs slabs(*ray, frame_, box_);
-      others_.push_back(searches_.emplace_back(*ray, slabs.keys(), mesh_, rule_).task(slabs));
+    for (const AskedOf& of : rays) {
+      const RaySlabs slabs(*of.ray, frame_, box_);
+      others_.push_back(begun(searches_.emplace_back(*of.ray, slabs.keys(), mesh_, rule_), of).task(slabs));
     }
   }
   void run() {
@@ -107,13 +134,13 @@ class Searches<Search, PosedMeshOf<Mesh>> {
     searches_.reserve(most), seen_.reserve(most);
   }
 
-  void add(std::span<const AnyRay* const> rays) {
-    for (const AnyRay* ray : rays) {
-      if (const auto seen = sight_(*ray)) {
+  void add(std::span<const AskedOf> rays) {
+    for (const AskedOf& of : rays) {
+      if (const auto seen = sight_(*of.ray)) {
         const space::SeenRay& kept = seen_.emplace_back(*seen);
-        tasks_.push_back(searches_.emplace_back(*ray, kept, mesh_, rule_).task(kept.slabs));
+        tasks_.push_back(begun(searches_.emplace_back(*of.ray, kept, mesh_, rule_), of).task(kept.slabs));
       } else {
-        space::visit_unseen(mesh_, *ray, searches_.emplace_back(*ray, mesh_, rule_));
+        space::visit_unseen(mesh_, *of.ray, begun(searches_.emplace_back(*of.ray, mesh_, rule_), of));
       }
     }
   }
@@ -135,6 +162,9 @@ template <class Search, class Out, class Answer>
 void search_all(const char* function, const MeshView& view, std::span<const AnyRay> rays, std::span<Out> out,
                 const ManyRays& options, const Answer& answer) {
   space::require_equal_lengths(function, "out", out.size(), "rays", rays.size());
+  if (!options.limits.empty())
+    space::require_equal_lengths(function, "limits", options.limits.size(), "rays", rays.size());
+  for (const HitLimits& limits : options.limits) require_numbers(function, limits);
   space::with_source(function, "mesh", view, [&]<class Source>(const Source& source) {
     constexpr std::size_t part_size = rays_of_part<Source>;
     const auto& tree = space::mesh_of(source).tree;
@@ -152,10 +182,13 @@ void search_all(const char* function, const MeshView& view, std::span<const AnyR
         const std::size_t to = std::min(asked.size(), from + rays_of_block);
         Searches<Search, Source> searches(source, options.rule, to - from, are_near);
         for (std::size_t i = from; i < to;) {
-          std::array<const AnyRay*, space::packet_size> next;
+          std::array<AskedOf, space::packet_size> next;
           std::size_t n = 0;
-          while (n < next.size() && i < to) next[n++] = &asked[order[i++]];
-          searches.add(std::span<const AnyRay* const>(next).first(n));
+          for (; n < next.size() && i < to; ++i) {
+            const std::size_t at = order[i];
+            next[n++] = {&asked[at], options.limits.empty() ? nullptr : &options.limits[begin + at]};
+          }
+          searches.add(std::span<const AskedOf>(next).first(n));
         }
         searches.run();
         for (std::size_t i = from; i < to; ++i) out[begin + order[i]] = answer(searches[i - from]);
@@ -177,19 +210,39 @@ constexpr auto count_of = [](CountedHits& s) { return s.count(); };
 }  // namespace
 
 std::optional<NumberedHit> first_hit(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
-  return searched<FirstHit>("first_hit", mesh, ray, rule, first_of);
+  return searched<FirstHit>("first_hit", mesh, ray, rule, nullptr, first_of);
 }
 std::optional<std::uint32_t> first_triangle(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
-  return searched<FirstHit>("first_triangle", mesh, ray, rule, first_number_of);
+  return searched<FirstHit>("first_triangle", mesh, ray, rule, nullptr, first_number_of);
 }
 bool any_hit(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
-  return searched<AnyHit>("any_hit", mesh, ray, rule, is_found);
+  return searched<AnyHit>("any_hit", mesh, ray, rule, nullptr, is_found);
 }
 std::vector<NumberedHit> hits(const MeshView& mesh, const AnyRay& ray, HitRule rule, std::vector<NumberedHit> rows) {
-  return searched<OrderedHits>("hits", mesh, ray, rule, [&](OrderedHits& s) { return s.in_order(std::move(rows)); });
+  return searched<OrderedHits>("hits", mesh, ray, rule, nullptr,
+                               [&](OrderedHits& s) { return s.in_order(std::move(rows)); });
 }
 std::size_t count_hits(const MeshView& mesh, const AnyRay& ray, HitRule rule) {
-  return searched<CountedHits>("count_hits", mesh, ray, rule, count_of);
+  return searched<CountedHits>("count_hits", mesh, ray, rule, nullptr, count_of);
+}
+
+std::optional<NumberedHit> first_hit(const MeshView& mesh, const AnyRay& ray, const HitLimits& limits, HitRule rule) {
+  return searched<FirstHit>("first_hit", mesh, ray, rule, &limits, first_of);
+}
+std::optional<std::uint32_t> first_triangle(const MeshView& mesh, const AnyRay& ray, const HitLimits& limits,
+                                            HitRule rule) {
+  return searched<FirstHit>("first_triangle", mesh, ray, rule, &limits, first_number_of);
+}
+bool any_hit(const MeshView& mesh, const AnyRay& ray, const HitLimits& limits, HitRule rule) {
+  return searched<AnyHit>("any_hit", mesh, ray, rule, &limits, is_found);
+}
+std::vector<NumberedHit> hits(const MeshView& mesh, const AnyRay& ray, const HitLimits& limits, HitRule rule,
+                              std::vector<NumberedHit> rows) {
+  return searched<OrderedHits>("hits", mesh, ray, rule, &limits,
+                               [&](OrderedHits& s) { return s.in_order(std::move(rows)); });
+}
+std::size_t count_hits(const MeshView& mesh, const AnyRay& ray, const HitLimits& limits, HitRule rule) {
+  return searched<CountedHits>("count_hits", mesh, ray, rule, &limits, count_of);
 }
 
 void first_hit(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::optional<NumberedHit>> out,

@@ -34,13 +34,13 @@ inline double entry_below(const AnyRay& ray, const Aabb3& box) {
 }
 
 template <class Mesh>
-void visit_unseen(const PosedMeshOf<Mesh>& mesh, const AnyRay& ray, TriangleVisitor& search) {
+void visit_unseen(const PosedMeshOf<Mesh>& mesh, const AnyRay& ray, HitSearch& search) {
   const auto bound = [&](const BoxNode& node) {
     const Aabb3 box = around(mesh, node);
     if (!is_bounded(box)) return -Interval::infinity;
     return hits(ray, box) ? entry_below(ray, box) : Interval::infinity;
   };
-  double limit = most_parameter;
+  double limit = search.limit();
   descend_nearer_first(mesh.bvh.tree, limit, bound, [&](std::uint32_t first, std::uint32_t count, double& until) {
     for (std::uint32_t slot = first; slot < first + count; ++slot) {
       until = std::min(until, search.visit(slot, false, -Interval::infinity, Interval::infinity));

@@ -23,15 +23,17 @@ std::string_view location_word(Location location) {
 
 InsideReport inside_report(const InsideOptions& options, const OutputFiles& outputs) {
   InsideReport report;
-  for (const std::string& words : options.points) report.points.push_back(read_point(words, "--point " + words));
+  for (const std::string& words : options.points)
+    report.points.push_back(read_named_row(words, "--point " + words, point_shape));
   if (options.file) {
-    for (NamedPoint& p : read_points(*options.file, options.meshes.reading())) report.points.push_back(std::move(p));
+    for (NamedRow& p : read_named_rows(*options.file, options.meshes.reading(), point_shape))
+      report.points.push_back(std::move(p));
   }
   report.mesh = std::move(read_asked_meshes(options.meshes, outputs).front());
   report.oriented = is_oriented_closed(report.mesh.mesh);
   const Bvh bvh = build_bvh(report.mesh.mesh);
   std::vector<Point3> points;
-  for (const NamedPoint& p : report.points) points.push_back(p.point);
+  for (const NamedRow& p : report.points) points.push_back(point_of(p));
   report.locations.resize(points.size());
   report.windings.resize(points.size());
   locate(bvh, points, report.locations);
@@ -53,7 +55,7 @@ std::string_view caveat(const InsideReport& report) {
 
 std::string inside_text(const InsideReport& report, const Style& style) {
   std::size_t widest = 5, inexact = 0;
-  for (const NamedPoint& p : report.points) {
+  for (const NamedRow& p : report.points) {
     widest = std::max(widest, p.name.size());
     inexact += !p.exact;
   }
@@ -72,9 +74,9 @@ nlohmann::json inside_json(const InsideReport& report) {
   using nlohmann::json;
   json points = json::array();
   for (std::size_t i = 0; i < report.points.size(); ++i) {
-    const auto& [name, p, exact] = report.points[i];
+    const auto& [name, numbers, exact] = report.points[i];
     points.push_back({{"name", name},
-                      {"point", {p.x, p.y, p.z}},
+                      {"point", numbers},
                       {"exact", exact},
                       {"location", location_word(report.locations[i])},
                       {"winding_number", report.windings[i] ? json(*report.windings[i]) : json()}});

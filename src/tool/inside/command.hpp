@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "plumb/figure/basic/relation.hpp"
-#include "tool/inside/point_list.hpp"
 #include "tool/mesh/asked_mesh.hpp"
+#include "tool/rows/named_rows.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -31,7 +31,7 @@ int run_inside(const InsideOptions& options);
 struct InsideReport {
   AskedMesh mesh;
   bool oriented = false;  // closed, and every edge is passed as often in either direction
-  std::vector<NamedPoint> points;
+  std::vector<NamedRow> points;
   std::vector<Location> locations;                    // of each point
   std::vector<std::optional<std::int64_t>> windings;  // nothing for a point on the surface
 };

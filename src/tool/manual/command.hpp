@@ -37,12 +37,14 @@ using Commands = std::function<const std::vector<Command>&()>;
 Command bounds_command(CLI::App& program);
 Command bvh_command(CLI::App& program);
 Command check_command(CLI::App& program);
+Command closest_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 Command convex_command(CLI::App& program);
 Command distance_command(CLI::App& program);
 Command doctor_command(CLI::App& program);
 Command completion_command(CLI::App& program, const Commands& known);
 Command fuzz_command(CLI::App& program);
+Command hausdorff_command(CLI::App& program);
 /// `of_program` is the program's own page; `instead` says what there is in the place of a command that there is not.
 Command help_command(CLI::App& program, const Commands& known, Manual (*of_program)(),
                      std::string (*instead)(const std::string& word));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
+#include "tool/rows/named_rows.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
@@ -14,23 +15,33 @@
 namespace plumb::tool {
 namespace {
 
-NamedRay ray_of_words(const std::string& option, const std::string& words) {
-  const std::string what = option + " " + words;
-  const auto [x, exact] = read_decimals(words, what);
-  if (x.size() != 6) {
-    throw Error(fmt::format("{}: this has {} numbers; {} has six: {}", what, x.size(),
-                            option == "--ray" ? "a ray" : "a segment",
-                            option == "--ray" ? "origin and direction" : "its two ends"));
-  }
-  const Point3 a{x[0], x[1], x[2]};
-  if (option == "--segment") return {words, Segment3{a, {x[3], x[4], x[5]}}, exact};
-  return {words, Ray3{a, {x[3], x[4], x[5]}}, exact};
+NamedRay ray_of(NamedRow row) {
+  const std::vector<double>& x = row.values;
+  if (x[3] == 0 && x[4] == 0 && x[5] == 0)
+    throw Error(fmt::format("ray {}: its direction is zero, so that it goes nowhere", row.name));
+  return {std::move(row.name), Ray3{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, row.exact};
+}
+
+NamedRay segment_of(NamedRow row) {
+  const std::vector<double>& x = row.values;
+  return {std::move(row.name), Segment3{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, row.exact};
 }
 
 RayReport ray_report(const RayOptions& options, const OutputFiles& outputs) {
   RayReport report;
-  for (const std::string& words : options.rays) report.rays.push_back(ray_of_words("--ray", words));
-  for (const std::string& words : options.segments) report.rays.push_back(ray_of_words("--segment", words));
+  for (const std::string& words : options.rays)
+    report.rays.push_back(ray_of(read_named_row(words, "--ray " + words, ray_shape)));
+  for (const std::string& words : options.segments)
+    report.rays.push_back(segment_of(read_named_row(words, "--segment " + words, segment_shape)));
+  const ReadOptions reading = options.meshes.reading();
+  if (options.ray_file) {
+    for (NamedRow& row : read_named_rows(*options.ray_file, reading, ray_shape))
+      report.rays.push_back(ray_of(std::move(row)));
+  }
+  if (options.segment_file) {
+    for (NamedRow& row : read_named_rows(*options.segment_file, reading, segment_shape))
+      report.rays.push_back(segment_of(std::move(row)));
+  }
   report.mesh = std::move(read_asked_meshes(options.meshes, outputs).front());
   const Bvh bvh = build_bvh(report.mesh.mesh);
   for (const NamedRay& ray : report.rays) report.hits.push_back(hits(bvh, ray.ray));
@@ -98,12 +109,17 @@ nlohmann::json ray_json(const RayReport& report) {
 }
 
 int run_ray(const RayOptions& options) {
-  OutputFiles outputs(options.meshes.words);
+  std::vector<std::string> read = options.meshes.words;
+  for (const auto& file : {options.ray_file, options.segment_file}) {
+    if (file) read.push_back(*file);
+  }
+  require_input_once(read);
+  OutputFiles outputs(read);
   outputs.promise("--json", options.json);
   promise_obj(outputs, options.obj);
   if (options.meshes.words.size() != 1) throw Error("ray: one MESH is needed; 'plumb ray --help' explains");
-  if (options.rays.empty() && options.segments.empty())
-    throw Error("ray: a --ray or a --segment is needed, such as --ray 0,0,10,0,0,-1");
+  if (options.rays.empty() && options.segments.empty() && !options.ray_file && !options.segment_file)
+    throw Error("ray: a --ray or a --segment is needed, such as --ray 0,0,10,0,0,-1, or --rays FILE");
   const RayReport report = ray_report(options, outputs);
   if (!outputs.on_standard_output()) say(ray_text(report, options.all, Style(stdout)));
   if (options.json) outputs.write("--json", json_text(ray_json(report)));

@@ -1,6 +1,6 @@
 // `plumb ray`: which triangles of this mesh do these rays hit, in exact order?
 //
-// Laws: text and JSON hold the same hits, in the order of the rays as given; OBJ the triangles that text names.  Exit code 0 when done, also where nothing
+// Laws: text and JSON hold the same hits, in the order of the rays as given, those of files last; OBJ the triangles that text names.  Exit code 0 when done, also where nothing
 // is hit; a mesh or words that cannot be read, an output that cannot be written throw Error.
 // Source: plumb/space/ray/mesh_ray.hpp.
 // Cost: that of the tree, and of all hits of each ray.
@@ -19,11 +19,12 @@
 namespace plumb::tool {
 
 struct RayOptions {
-  MeshArguments meshes;                     // one file
-  std::vector<std::string> rays, segments;  // six numbers each
-  bool all = false;                         // say every hit, not the first alone
-  std::optional<std::string> json;          // "-" is standard output
-  ObjOutput obj;                            // the triangles that are said
+  MeshArguments meshes;                               // one file
+  std::vector<std::string> rays, segments;            // six numbers each
+  std::optional<std::string> ray_file, segment_file;  // of more; "-" is standard input
+  bool all = false;                                   // say every hit, not the first alone
+  std::optional<std::string> json;                    // "-" is standard output
+  ObjOutput obj;                                      // the triangles that are said
 };
 
 int run_ray(const RayOptions& options);

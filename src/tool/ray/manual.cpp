@@ -5,7 +5,7 @@ namespace plumb::tool {
 Manual ray_manual() {
   return {"plumb ray",
           "which triangles of a mesh do rays hit?",
-          {"plumb ray [OPTION]... --ray OX,OY,OZ,DX,DY,DZ MESH"},
+          {"plumb ray [OPTION]... --ray OX,OY,OZ,DX,DY,DZ MESH", "plumb ray [OPTION]... --rays FILE MESH"},
           {{"DESCRIPTION", R"(
 Shoots rays at MESH, a file as `plumb check` reads it, and says of each
 how many triangles it hits and which one first: its number in the file,
@@ -17,7 +17,10 @@ Which triangles are hit, and in which order, is decided exactly; of
 equal parameters the lowest number comes first. Triangles are closed: a
 ray at a vertex hits all triangles about it, and none slips through
 between two triangles that share an edge. Numbers are the exact ones
-rounded once.)"}},
+rounded once.
+
+--rays and --segments name tables: a ray or a segment a line, six decimals
+with blanks or commas between them, packed or not.)"}},
           {{"EXIT STATUS", R"(
 0      Done, also where nothing is hit.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,
@@ -30,6 +33,9 @@ plumb ray --ray 0,0,100,0,0,-1 part.stl
 
 plumb ray --all --segment 0,0,0,10,5,2 part.obj
        All that is hit between two points.
+
+plumb ray --rays probes.csv --json - part.stl
+       A table of rays, for another program.
 
 plumb ray --obj hit.obj --ray 0,0,100,0,0,-1 part.stl
        The triangle that is hit, as a mesh to be looked at.)"}}};
