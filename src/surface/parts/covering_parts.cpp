@@ -78,7 +78,7 @@ struct Cluster {
   std::vector<std::uint32_t> share;
   std::set<std::uint32_t> neighbors;
   Point3 low, high;
-  double volume = 0;  // of the share
+  double volume = 0;  // of the share, as a guess
   bool is_gone = false;
 };
 
@@ -100,7 +100,7 @@ class CoverFinder {
       c.around = r.around, c.near = r.near;
       c.share = {i};
       c.low = r.low, c.high = r.high;
-      c.volume = volume(exact.parts[i].solid);
+      c.volume = rough_volume(hull_around(r.near));
     }
     left_ = clusters_.size();
   }

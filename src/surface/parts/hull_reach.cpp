@@ -97,7 +97,7 @@ std::array<Patch, 2> halves_of(const Patch& patch) {
 }  // namespace
 
 Reach find_reach(const HullProxy& hull, std::span<const RoundedPart* const> parts, double enough, double too_far) {
-  constexpr int steps = 2'000;
+  constexpr int steps = 500;
   ReachFinder finder(parts);
   const double across = width_of(hull.vertices);
   if (across <= enough) return {across, 0};
