@@ -6,6 +6,7 @@
 #include <queue>
 #include <set>
 #include <string>
+#include <unordered_map>
 
 #include "plumb/arith/error.hpp"
 #include "plumb/query/closest/closest.hpp"
@@ -16,11 +17,12 @@ namespace {
 
 using surface::RoundedPart;
 
-/// All doubles next to the point, on both sides of it where a coordinate is none.
+/// The nearest doubles, and all next to the point, on both sides of it where a coordinate is none.
 void add_around(const ExactPoint3& point, RoundedPart& part) {
   const Point3 nearest = approximate(point);
+  part.near.push_back(nearest);
   if (ExactPoint3(nearest) == point) {
-    part.corners.push_back(nearest);
+    part.around.push_back(nearest);
     return;
   }
   const RationalPoint3 exact = rational_point(point);
@@ -28,7 +30,7 @@ void add_around(const ExactPoint3& point, RoundedPart& part) {
   const std::array<std::array<double, 2>, 3> at{between(exact.x), between(exact.y), between(exact.z)};
   for (const double x : at[0])
     for (const double y : at[1])
-      for (const double z : at[2]) part.corners.push_back({x, y, z});
+      for (const double z : at[2]) part.around.push_back({x, y, z});
   const double across = distance(Point3{at[0][0], at[1][0], at[2][0]}, Point3{at[0][1], at[1][1], at[2][1]});
   part.off = std::max(part.off, std::nextafter(across, INFINITY));  // the nearest double may be below the number
 }
@@ -42,11 +44,13 @@ HullProxy hull_around(const std::vector<Point3>& points) {
 RoundedPart rounded_part(const ConvexPart& part) {
   RoundedPart rounded;
   for (const ExactPoint3& p : part.solid.vertices) add_around(p, rounded);
-  const HullProxy hull = hull_around(rounded.corners);
-  rounded.corners = hull.vertices;
+  rounded.around = hull_around(rounded.around).vertices;
+  HullProxy hull = hull_around(rounded.near);
+  if (hull.hull.dimension < 3) hull = hull_around(rounded.around);  // thinner than doubles tell
+  rounded.near = hull.vertices;
   rounded.hull = convex_polyhedron(hull.hull, hull.vertices);
-  rounded.low = rounded.high = rounded.corners[0];
-  for (const Point3& p : rounded.corners) {
+  rounded.low = rounded.high = rounded.around[0];
+  for (const Point3& p : rounded.around) {
     rounded.low = {std::min(rounded.low.x, p.x), std::min(rounded.low.y, p.y), std::min(rounded.low.z, p.z)};
     rounded.high = {std::max(rounded.high.x, p.x), std::max(rounded.high.y, p.y), std::max(rounded.high.z, p.z)};
   }
@@ -70,11 +74,11 @@ double rough_volume(const HullProxy& proxy) {
 }
 
 struct Cluster {
-  HullProxy proxy;
+  std::vector<Point3> around, near;  // corners of hulls: that which holds the share, and a guess of it
   std::vector<std::uint32_t> share;
   std::set<std::uint32_t> neighbors;
   Point3 low, high;
-  double volume = 0;  // of the share
+  double volume = 0;  // of the share, as a guess
   bool is_gone = false;
 };
 
@@ -88,15 +92,15 @@ struct Union {
 
 class CoverFinder {
  public:
-  CoverFinder(const ConvexParts& exact, const CoveringOptions& options) : options_(options) {
+  CoverFinder(const ConvexParts& exact, const CoveringOptions& options) : exact_(exact), options_(options) {
     for (const ConvexPart& part : exact.parts) rounded_.push_back(rounded_part(part));
     for (std::uint32_t i = 0; i < rounded_.size(); ++i) {
       const RoundedPart& r = rounded_[i];
       Cluster& c = clusters_.emplace_back();
-      c.proxy = hull_around(r.corners);
+      c.around = r.around, c.near = r.near;
       c.share = {i};
       c.low = r.low, c.high = r.high;
-      c.volume = volume(exact.parts[i].solid);
+      c.volume = rough_volume(hull_around(r.near));
     }
     left_ = clusters_.size();
   }
@@ -106,12 +110,14 @@ class CoverFinder {
     if (options_.concavity > 0 || left_ > most) {
       find_neighbors();
       join(0);
+      find_touching_boxes();
+      join(0);
     }
     if (left_ > most) {
       is_proof_asked_ = false;
       for (std::uint32_t i = 0; i < clusters_.size(); ++i)
         for (const std::uint32_t k : clusters_[i].neighbors)
-          if (i < k) consider(i, k);
+          if (i < k && !clusters_[i].is_gone && !clusters_[k].is_gone) consider(i, k);
       join(most);
     }
     if (left_ > most) {  // what does not even touch
@@ -124,8 +130,11 @@ class CoverFinder {
     for (Cluster& c : clusters_) {
       if (c.is_gone) continue;
       std::ranges::sort(c.share);
-      const double reach = surface::find_reach(c.proxy, parts_of(c), 0, INFINITY).at_most;
-      parts.push_back({std::move(c.proxy), std::move(c.share), reach});
+      HullProxy proxy = hull_around(c.around);
+      // Of one part alone it is known: its corners are off by no more.
+      const double reach =
+          c.share.size() == 1 ? rounded_[c.share[0]].off : surface::find_reach(proxy, parts_of(c), 0, INFINITY).at_most;
+      parts.push_back({std::move(proxy), std::move(c.share), reach});
     }
     std::ranges::sort(parts, {}, [](const CoveringPart& p) { return p.share.front(); });
     return parts;
@@ -136,25 +145,39 @@ class CoverFinder {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
            a.low.z <= b.high.z && b.low.z <= a.high.z;
   }
-  /// A guess of what touches.
+  /// A guess of what touches: exact parts that have a corner in common.
   void find_neighbors() {
+    std::unordered_map<ExactPoint3, std::vector<std::uint32_t>> parts_at;
+    for (std::uint32_t i = 0; i < rounded_.size(); ++i)
+      for (const ExactPoint3& p : exact_.parts[i].solid.vertices) parts_at[p].push_back(i);
+    std::set<std::array<std::uint32_t, 2>> pairs;
+    for (const auto& [point, parts] : parts_at)
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t k = i + 1; k < parts.size(); ++k) pairs.insert({parts[i], parts[k]});
+    for (const auto& [i, k] : pairs) link(i, k);
+  }
+  /// And of what is left, what has boxes that touch.
+  void find_touching_boxes() {
+    std::vector<std::uint32_t> left;
     for (std::uint32_t i = 0; i < clusters_.size(); ++i)
-      for (std::uint32_t k = i + 1; k < clusters_.size(); ++k)
-        if (boxes_meet(clusters_[i], clusters_[k])) link(i, k);
+      if (!clusters_[i].is_gone) left.push_back(i);
+    for (std::size_t i = 0; i < left.size(); ++i)
+      for (std::size_t k = i + 1; k < left.size(); ++k)
+        if (boxes_meet(clusters_[left[i]], clusters_[left[k]]) && !clusters_[left[i]].neighbors.contains(left[k]))
+          link(left[i], left[k]);
   }
   void link(std::uint32_t i, std::uint32_t k) {
     clusters_[i].neighbors.insert(k);
     clusters_[k].neighbors.insert(i);
     consider(i, k);
   }
-  [[nodiscard]] HullProxy common_hull(const Cluster& a, const Cluster& b) const {
-    std::vector<Point3> points = a.proxy.vertices;
-    points.insert(points.end(), b.proxy.vertices.begin(), b.proxy.vertices.end());
+  static HullProxy common_hull(std::vector<Point3> points, const std::vector<Point3>& others) {
+    points.insert(points.end(), others.begin(), others.end());
     return hull_around(points);
   }
   void consider(std::uint32_t i, std::uint32_t k) {
     const Cluster &a = clusters_[i], &b = clusters_[k];
-    unions_.push({rough_volume(common_hull(a, b)) - a.volume - b.volume, i, k});
+    unions_.push({rough_volume(common_hull(a.near, b.near)) - a.volume - b.volume, i, k});
   }
   [[nodiscard]] std::vector<const RoundedPart*> parts_of(const Cluster& c) const {
     std::vector<const RoundedPart*> parts;
@@ -169,12 +192,16 @@ class CoverFinder {
       Cluster &a = clusters_[top.a], &b = clusters_[top.b];
       if (a.is_gone || b.is_gone) continue;
       Cluster c;
-      c.proxy = common_hull(a, b);
+      const HullProxy proxy = common_hull(a.around, b.around);
       c.share = a.share;
       c.share.insert(c.share.end(), b.share.begin(), b.share.end());
-      if (is_proof_asked_ && surface::find_reach(c.proxy, parts_of(c), options_.concavity, options_.concavity).at_most >
-                                 options_.concavity)
+      if (is_proof_asked_ &&
+          surface::find_reach(proxy, parts_of(c), options_.concavity, options_.concavity).at_most > options_.concavity)
         continue;
+      c.around = proxy.vertices;
+      c.near = common_hull(a.near, b.near).vertices;
+      c.low = {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)};
+      c.high = {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)};
       replace(top.a, top.b, std::move(c));
     }
   }
@@ -186,12 +213,13 @@ class CoverFinder {
     std::set<std::uint32_t> neighbors = a.neighbors;
     neighbors.insert(b.neighbors.begin(), b.neighbors.end());
     const auto number = static_cast<std::uint32_t>(clusters_.size());
-    a.proxy = b.proxy = {};
+    a.neighbors.clear(), b.neighbors.clear();
     clusters_.push_back(std::move(c));
     for (const std::uint32_t n : neighbors)
       if (!clusters_[n].is_gone) link(n, number);
   }
 
+  const ConvexParts& exact_;
   const CoveringOptions& options_;
   std::vector<RoundedPart> rounded_;
   std::vector<Cluster> clusters_;

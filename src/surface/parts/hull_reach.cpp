@@ -26,6 +26,16 @@ struct LessFar {
   bool operator()(const Patch& a, const Patch& b) const { return a.at_most < b.at_most; }
 };
 
+/// No two points of the hull, in which the parts lie, are farther from one another.
+double width_of(const std::vector<Point3>& points) {
+  Point3 low = points[0], high = points[0];
+  for (const Point3& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return above(distance(low, high));
+}
+
 /// A guess of which part is near.
 double from_box(const RoundedPart& part, const Point3& p) {
   const auto beyond = [](double low, double x, double high) { return std::max({low - x, x - high, 0.0}); };
@@ -87,8 +97,10 @@ std::array<Patch, 2> halves_of(const Patch& patch) {
 }  // namespace
 
 Reach find_reach(const HullProxy& hull, std::span<const RoundedPart* const> parts, double enough, double too_far) {
-  constexpr int steps = 2'000;
+  constexpr int steps = 500;
   ReachFinder finder(parts);
+  const double across = width_of(hull.vertices);
+  if (across <= enough) return {across, 0};
   std::priority_queue<Patch, std::vector<Patch>, LessFar> patches;
   Reach found;
   const auto add = [&](Patch patch) {

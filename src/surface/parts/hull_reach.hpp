@@ -12,11 +12,12 @@
 
 namespace plumb::surface {
 
-/// A convex part between doubles: it lies in the hull, no point of which is farther from it than `off`.
+/// A convex part in doubles.
 struct RoundedPart {
-  std::vector<Point3> corners;
+  std::vector<Point3> around;  // their hull holds it
+  std::vector<Point3> near;    // corners of the hull, of which no point is farther from the part than `off`
   ConvexPolyhedron3 hull;
-  double off = 0;
+  double off = 0;  // nor is one of that around it
   Point3 low, high;
 };
 

@@ -110,7 +110,7 @@ TEST(CoveringParts, AStaircaseIsOnePartWhereItsStepsMayBeFilled) {
 TEST(CoveringParts, MoreConcavityFewerParts) {
   const TriangleMesh mesh = solids::torus(4, 1, 5, 3);
   std::size_t before = 1'000'000;
-  for (const double concavity : {0.0, 0.25, 1.0, 8.0}) {
+  for (const double concavity : {0.0, 0.5, 8.0}) {
     const CoveringParts found = checked(mesh, {.concavity = concavity});
     EXPECT_LE(found.parts.size(), before);
     before = found.parts.size();
