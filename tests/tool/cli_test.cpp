@@ -157,7 +157,8 @@ TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
            {"offset thicken minkowski_sum", "meshes are not offset"},
            {"mend fix fix_normals heal clean weld fill-holes", "'plumb repair' mends meshes"},
            {"simplify decimate remesh", "meshes are not simplified"},
-           {"convex-decomposition convex_decomposition decompose parts V-HACD convex-parts", "'plumb parts' parts solids"},
+           {"convex-decomposition convex_decomposition decompose parts V-HACD convex-parts",
+            "'plumb parts' parts solids"},
            {"scenes simulation collide collisions physics", "scenes are not played"},
            {"hulls convex-hull", "the library makes hulls"},
            {"python", "no Python module"}}) {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 namespace {

@@ -12,7 +12,7 @@
 #include "space/broad_phase/column_order.hpp"
 #include "space/broad_phase/columns.hpp"
 #include "space/broad_phase/sweep_plan.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/sort_and_sweep/swept_set.hpp"
 
 namespace plumb::space {

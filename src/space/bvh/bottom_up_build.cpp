@@ -7,8 +7,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/pair_tree.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 namespace {

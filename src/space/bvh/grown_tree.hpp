@@ -10,8 +10,8 @@
 #include <array>
 #include <utility>
 
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/builders.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 

@@ -1,6 +1,6 @@
 #include "space/bvh/item_cutter.hpp"
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/bvh/place_cutter.hpp"
 
 namespace plumb::space {

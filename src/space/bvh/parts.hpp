@@ -1,6 +1,8 @@
-// Work in parts, of which whoever asked is told, and which stop where they are told to.
+// Work in parts, of which whoever asked is told, and which stop where they are told to; or cut into blocks whose number
+// depends on the work alone, so that what is put together from them does as well.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <mutex>
@@ -11,6 +13,15 @@
 #include "plumb/space/bvh/progress.hpp"
 
 namespace plumb::space {
+
+inline std::size_t blocks_of(std::size_t n, std::size_t size) { return (n + size - 1) / size; }
+
+/// Calls work(block, from, to) for each block of `size` of n.
+template <class Work>
+void for_blocks(Execution execution, std::size_t n, std::size_t size, const Work& work) {
+  certify::batch::for_each_part(execution, blocks_of(n, size),
+                                [&](std::size_t b) { work(b, b * size, std::min(n, (b + 1) * size)); });
+}
 
 /// Calls call(work, part) for each of n; in their order where execution is serial.  A part that returns Descent::stop has
 /// found enough: no further part is begun.  Throws Cancelled in the function's name where progress says so.

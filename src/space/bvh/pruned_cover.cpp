@@ -9,7 +9,7 @@
 #include "plumb/query/overlap/overlap.hpp"
 #include "plumb/space/bvh/build.hpp"
 #include "plumb/space/bvh/descend.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 namespace {

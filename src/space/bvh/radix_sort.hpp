@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 

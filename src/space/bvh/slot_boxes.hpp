@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "plumb/space/bvh/bvh.hpp"
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/checked_box.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/bvh/slot_boxes.hpp"
 #include "space/bvh/triangle_part.hpp"
 

@@ -1,8 +1,8 @@
 // A node's slots are one range, so the corners below it are one range of those of all slots.
 #include "plumb/space/bvh/volume_tree.hpp"
 
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/moved_ball.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb {
 namespace space {

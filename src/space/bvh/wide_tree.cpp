@@ -5,8 +5,8 @@
 #include <cstring>
 #include <vector>
 
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/boxed_item.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "figure/basic/finite_parts.hpp"
 #include "query/body/figure_input.hpp"
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/mesh_source.hpp"
 #include "space/bvh/parts.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plumb/space/coherence/pair_front.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/pairs/leaf_pairs.hpp"
 #include "space/pairs/posed_leaf_pairs.hpp"
 

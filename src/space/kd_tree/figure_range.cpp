@@ -1,7 +1,7 @@
 #include "plumb/space/kd_tree/figure_range.hpp"
 
 #include "query/body/figure_input.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/kd_tree/answer_lists.hpp"
 #include "space/kd_tree/figures_meet.hpp"
 #include "space/kd_tree/kept_figures.hpp"

@@ -8,7 +8,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/space/kd_tree/split_range.hpp"
 #include "query/body/figure_input.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/grid/fitting_cell_size.hpp"
 #include "space/kd_tree/leaves_meeting.hpp"
 #include "space/octree/box_sides.hpp"

@@ -1,7 +1,7 @@
 #include "plumb/space/kd_tree/point_range.hpp"
 
 #include "figure/basic/finite_parts.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/kd_tree/answer_lists.hpp"
 #include "space/kd_tree/point_search.hpp"
 #include "space/kd_tree/query_order.hpp"

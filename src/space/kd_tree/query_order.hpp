@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/bvh/radix_sort.hpp"
 #include "space/kd_tree/point_search.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "query/body/figure_input.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/closest/figure_box.hpp"
 #include "space/kd_tree/figures_meet.hpp"
 #include "space/kd_tree/kept_figures.hpp"

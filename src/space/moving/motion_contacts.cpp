@@ -7,7 +7,7 @@
 
 #include "plumb/query/time_of_impact/continuous_contact.hpp"
 #include "query/time_of_impact/posed_motion.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/bvh/posed_box.hpp"
 #include "space/moving/motion_search.hpp"
 #include "space/moving/swept_boxes.hpp"

@@ -4,7 +4,7 @@
 #include <bit>
 #include <string>
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/octree/box_sides.hpp"
 #include "space/octree/cell_join.hpp"
 #include "space/octree/cell_keys.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "plumb/arith/error.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/octree/cell_keys.hpp"
 
 namespace plumb::space {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 namespace {

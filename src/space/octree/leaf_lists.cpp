@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "plumb/arith/error.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::space {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "figure/basic/finite_parts.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/octree/box_sides.hpp"
 #include "space/octree/cell_keys.hpp"
 #include "space/octree/cut_cells.hpp"

@@ -6,9 +6,9 @@
 
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/bvh/descend_compact.hpp"
+#include "space/bvh/mesh_source.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/bvh/slot_triangles.hpp"
-#include "space/bvh/mesh_source.hpp"
 #include "space/range/range_tests.hpp"
 
 namespace plumb {

@@ -10,9 +10,9 @@
 #include "query/body/figure_input.hpp"
 #include "query/ray/crossings.hpp"
 #include "query/ray/posed_triangle.hpp"
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/mesh_source.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/ray/along_x.hpp"
 
 namespace plumb {

@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "query/ray/numbers.hpp"
-#include "space/bvh/blocks.hpp"
 #include "space/bvh/equal_lengths.hpp"
-#include "space/bvh/parts.hpp"
 #include "space/bvh/mesh_source.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/ray/hit_search.hpp"
 #include "space/ray/packet_task.hpp"
 #include "space/ray/ray_order.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 
 namespace plumb::surface {
 

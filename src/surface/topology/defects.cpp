@@ -10,7 +10,7 @@
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/kd_tree/nearest_point.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "surface/topology/between.hpp"
 #include "surface/topology/disjoint_sets.hpp"
 #include "surface/topology/mesh_corner.hpp"

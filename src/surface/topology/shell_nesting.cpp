@@ -6,7 +6,7 @@
 #include "figure/basic/lists_by_number.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "query/ray/crossings.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/ray/along_x.hpp"
 #include "surface/topology/middle_crossing.hpp"
 

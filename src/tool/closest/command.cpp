@@ -7,7 +7,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/thread_limit.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/decimal_range.hpp"
 #include "tool/terminal/json_text.hpp"

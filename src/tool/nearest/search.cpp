@@ -6,7 +6,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "plumb/space/kd_tree/point_range.hpp"
-#include "space/bvh/blocks.hpp"
+#include "space/bvh/parts.hpp"
 #include "space/kd_tree/point_search.hpp"
 #include "tool/nearest/command.hpp"
 #include "tool/terminal/number_text.hpp"

@@ -1,6 +1,4 @@
 // Does the Hausdorff distance of moved meshes lie between the two numbers, for their exact images?
-#include "plumb/space/closest/hausdorff.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
+#include "plumb/space/closest/hausdorff.hpp"
 #include "query/closest/posed_triangle.hpp"
 #include "space/bvh/meshes.hpp"
 #include "space/bvh/poses.hpp"
