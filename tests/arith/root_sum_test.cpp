@@ -31,7 +31,7 @@ TEST(RootSum, AsManyBitsSay) {
     std::mt19937 random(seed);
     std::vector<RootTerm> terms;
     const int range = seed % 2 == 0 ? 12 : 1000;
-    for (std::uint32_t i = random() % 9; i-- > 0;)
+    for (std::uint64_t i = random() % 9; i-- > 0;)
       terms.push_back(
           {int(random() % 5) - 2, BigDyadic(std::ldexp(double(int(random()) & 1023) * range, -int(random() % 9)))});
     if (seed % 3 == 0) {  // what is there once more, as multiples of the roots of four and nine times as much
