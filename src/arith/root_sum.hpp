@@ -21,7 +21,7 @@ struct RootTerm {
   BigDyadic radicand;
 };
 
-/// Of the sum of times * sqrt(radicand).
+/// The sign is that of the sum of times * sqrt(radicand).
 Sign sign_of_root_sum(std::span<const RootTerm> terms);
 
 }  // namespace plumb

@@ -38,7 +38,7 @@ class CutSplitter {
  public:
   CutSplitter(CutSpace& space, const CutCell& cell, const CellEdges& edges, std::uint32_t plane);
   CutSection find();
-  /// Of a vertex of the cell or of the section.
+  /// The vertex is one of the cell or of the section.
   [[nodiscard]] Sign side(std::uint32_t vertex);
 
  private:

@@ -76,7 +76,7 @@ TriangleMesh parted_at_edges(const SoundSolid& solid, const CellEdges& edges) {
   return parted;
 }
 
-/// Of each triangle the outer shell to which it belongs, by number.
+/// Numbers, for each triangle, the outer shell to which it belongs.
 std::vector<std::uint32_t> group_of_triangles(const char* question, const SoundSolid& solid, const Shells& found) {
   for (const Shell& s : found.shells) {
     const std::string shell = "the shell of triangle " + number(solid.given[s.first_triangle]);
