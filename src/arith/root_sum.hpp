@@ -6,8 +6,8 @@
 // digits, which come to an end.
 // A radicand below zero is misuse.
 // Source: Besicovitch 1940 (independence of roots); RTCD 11.4.
-// Cost: a pair of doubles a root; in doubt a product of integers for each two roots, and roots of integers of 64 digits
-// and more.  Bounded by n^2 operations on integers as long as the exponents' span.
+// Cost: a product of integers for each two kinds of roots, then roots of integers with 64 binary digits and more behind
+// the point.  Bounded by n^2 operations on integers as long as the exponents' span.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ struct RootTerm {
   BigDyadic radicand;
 };
 
-/// Of the sum of times * sqrt(radicand).
+/// The sign is that of the sum of times * sqrt(radicand).
 Sign sign_of_root_sum(std::span<const RootTerm> terms);
 
 }  // namespace plumb

@@ -47,7 +47,7 @@ class CutPieces {
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
     return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
   }
-  /// Above, below, or across.
+  /// The facets of a wedge hang together on each side of the plane to which the edge reaches.
   void join_at(const WedgedEdge& e) {
     const Sign of_a = splitter_.side(e.a), of_b = splitter_.side(e.b);
     if (of_a == Sign::zero && of_b == Sign::zero) {

@@ -9,7 +9,8 @@
 // the section that does would not part the solid then.  (4) So a cut makes at most one more cell for each part of the
 // section that has a notch on it; where cavities lie in several boxes of other shells at once, these stay together.
 // Source: Chazelle 1984; Bajaj and Dey 1992 for solids with holes and for notches that share vertices.
-// Cost: e log e for e edges of the cell, and a sign of each of its vertices.
+// Cost: e log e for e edges of the cell, and a sign of each of its vertices; each part of the section passes all edges of
+// it, and all other parts.  Bounded by e^2.
 #pragma once
 
 #include <cstdint>

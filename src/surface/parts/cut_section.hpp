@@ -5,7 +5,8 @@
 // solid on both sides, it is there twice.  (3) Parts hang together by vertices, or lie in one another's boxes: they may
 // be fewer than there are, never more.
 // Source: Chazelle 1984.
-// Cost: a sign for each vertex, e log e for e edges in the plane.
+// Cost: a sign for each vertex, e log e for e edges in the plane; the square of the vertices that a facet has in it, and
+// of the pieces of the section that share no vertex.
 #pragma once
 
 #include "surface/parts/cut_cell.hpp"
@@ -37,7 +38,7 @@ class CutSplitter {
  public:
   CutSplitter(CutSpace& space, const CutCell& cell, const CellEdges& edges, std::uint32_t plane);
   CutSection find();
-  /// Of a vertex of the cell or of the section.
+  /// The vertex is one of the cell or of the section.
   [[nodiscard]] Sign side(std::uint32_t vertex);
 
  private:

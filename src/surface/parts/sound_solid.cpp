@@ -1,6 +1,8 @@
 #include "surface/parts/sound_solid.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <map>
 #include <numeric>
 #include <string>
@@ -19,8 +21,13 @@ std::string number(std::uint32_t n) { return std::to_string(n); }
   throw InvalidShape(std::string(question) + ": " + what);
 }
 
+std::string coordinate_text(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
+
 std::string place(const Point3& p) {
-  return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
+  return "(" + coordinate_text(p.x) + ", " + coordinate_text(p.y) + ", " + coordinate_text(p.z) + ")";
 }
 
 /// What is at an edge whose triangles do not take turns.
@@ -69,7 +76,7 @@ TriangleMesh parted_at_edges(const SoundSolid& solid, const CellEdges& edges) {
   return parted;
 }
 
-/// Of each triangle the outer shell to which it belongs, by number.
+/// Numbers, for each triangle, the outer shell to which it belongs.
 std::vector<std::uint32_t> group_of_triangles(const char* question, const SoundSolid& solid, const Shells& found) {
   for (const Shell& s : found.shells) {
     const std::string shell = "the shell of triangle " + number(solid.given[s.first_triangle]);

@@ -6,6 +6,28 @@
 #include "surface/repair/point_order.hpp"
 
 namespace plumb::surface {
+namespace {
+
+/// Is an edge of the rings divided, because another vertex lies on it?  What is beside it would not be divided as well.
+bool divides_any(const Triangulator<GivenPoints>& made, std::span<const std::array<std::uint32_t, 2>> edges) {
+  const Triangles& t = made.triangles();
+  std::vector<std::array<std::uint32_t, 2>> whole;
+  for (HalfEdge first = 0; first < t.end(); first += 4) {
+    if (t.is_ghost(first)) continue;
+    for (HalfEdge h = first; h < first + 3; ++h) {
+      if (!t.is_constrained(h)) continue;
+      const HalfEdge after = h == first + 2 ? first : h + 1;
+      const std::uint32_t a = made.points().label(t.origin(h)), b = made.points().label(t.origin(after));
+      whole.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  std::ranges::sort(whole);
+  return !std::ranges::all_of(edges, [&](const std::array<std::uint32_t, 2>& e) {
+    return std::ranges::binary_search(whole, std::array{std::min(e[0], e[1]), std::max(e[0], e[1])});
+  });
+}
+
+}  // namespace
 
 std::optional<std::vector<RegionOfRings>> regions_of_rings(std::span<const Point3> points,
                                                            std::span<const RingOfVertices> rings, Look look) {
@@ -32,7 +54,7 @@ std::optional<std::vector<RegionOfRings>> regions_of_rings(std::span<const Point
   auto made = triangulator_of(seen);
   for (std::uint32_t i = 0; i < seen.size(); ++i)
     if (made.same(i) != i) return {};
-  if (made.constrain(edges)) return {};
+  if (made.constrain(edges) || divides_any(made, edges)) return {};
   const Triangles& t = made.triangles();
   const std::vector<std::int32_t> windings = made.windings();
   std::vector<RegionOfRings> regions;

@@ -1,7 +1,7 @@
 // Which triangles lie within rings of a plane, or nearly of one, seen along an axis?
 //
 // Laws: the constrained Delaunay triangulation of the rings' edges; it hangs on the points, not on the numbers of
-// vertices.  Nothing where edges cross, or where two vertices are seen as one.
+// vertices.  Nothing where edges cross, where a vertex lies on an edge, or where two vertices are seen as one.
 // Source: RTCD 12.5.1.
 // Cost: n log n expected.
 #pragma once

@@ -56,7 +56,7 @@ class LeastAreaSearch {
 
   Cell& cell(std::uint32_t i, std::uint32_t k) { return cells_[std::size_t{i} * n_ + k]; }
 
-  /// By a power of two, where that is exact; coordinates stay as they are elsewhere, and bounds are wider.
+  /// Multiplies all by a power of two, where that is exact; elsewhere coordinates stay, and bounds are wider.
   void scale() {
     double largest = 0;
     for (const Point3& p : at_) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});

@@ -55,7 +55,7 @@ constexpr std::array<std::string_view, change_kinds> change_texts{
     "hole left in a one-sided component",
     "open edges left that end at an edge of more than two triangles",
     "edge of more than two triangles left as it was",
-    "coplanar triangles left: they cover one another"};
+    "coplanar triangles left: they cover or touch one another"};
 
 void require_step(const RepairStep& step) {
   if (static_cast<std::size_t>(step.kind) >= repair_kinds)

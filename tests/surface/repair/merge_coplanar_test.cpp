@@ -221,6 +221,34 @@ TEST(MergeCoplanar, WhatCoversItselfIsLeftApart) {
   EXPECT_EQ(merge_coplanar(spiral).size(), 1U);
 }
 
+TEST(MergeCoplanar, AVertexOnAnEdgeOfItsFaceOpensNothing) {
+  // A clasp whose tip, vertex 6, lies on the edge from 3 to 2: that would be divided above and below, not in the wall.
+  const std::vector<Point2> outline{{0, 0}, {6, 0}, {6, 1}, {1, 1}, {1, 5}, {2, 5},
+                                    {3, 1}, {4, 5}, {6, 5}, {6, 6}, {0, 6}, {0, 3}};
+  const std::vector<TriangleMesh::Triangle> within{{0, 1, 2}, {0, 2, 3}, {11, 0, 3}, {11, 3, 4}, {5, 6, 7},
+                                                   {7, 8, 9}, {5, 7, 9}, {4, 5, 9},  {4, 9, 10}, {4, 10, 11}};
+  TriangleMesh clasp;
+  const std::uint32_t n = 12;
+  for (const double z : {0.0, 1.0})
+    for (const Point2& p : outline) clasp.vertices.push_back({p.x, p.y, z});
+  for (const auto& [a, b, c] : within) {
+    clasp.triangles.push_back({a, c, b});
+    clasp.triangles.push_back({n + a, n + b, n + c});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    clasp.triangles.push_back({i, j, n + j});
+    clasp.triangles.push_back({i, n + j, n + i});
+  }
+  const CoplanarFaces faces = merge_coplanar(clasp);
+  EXPECT_EQ(faces.apart, (std::vector<std::uint32_t>{0, 1}));
+  const RepairStep step{.kind = RepairKind::merge_coplanar, .collinear = CollinearVertices::dropped};
+  const Repaired before = repair(clasp, std::vector<RepairStep>{}), done = repair(clasp, {step});
+  ASSERT_TRUE(before.faults.closed);
+  EXPECT_TRUE(done.faults.closed);
+  EXPECT_EQ(done.faults.open_edges, 0U);
+}
+
 TEST(MergeCoplanar, FoldsFinsAndFlatTriangles) {
   const TriangleMesh folded{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   EXPECT_EQ(merge_coplanar(folded).size(), 2U) << "on the same side of their edge";

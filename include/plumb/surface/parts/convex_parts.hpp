@@ -41,7 +41,7 @@ struct ConvexPart {
   std::vector<std::uint32_t> first_source{0};
   bool is_exact = false;  // its corners are doubles
 
-  /// None of a face that cuts alone have made.
+  /// A face that cuts alone have made has none.
   [[nodiscard]] std::span<const std::uint32_t> sources_of(std::size_t face) const {
     return std::span(sources).subspan(first_source[face], first_source[face + 1] - first_source[face]);
   }

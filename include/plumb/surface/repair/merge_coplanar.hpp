@@ -10,9 +10,10 @@
 // neighbors that turn as it does, seen along an axis, and whose corners are within the tolerance of its plane, compared
 // exactly: with tolerance 0 it is all that is reached in that plane.  Else the large ones grow first, as far as doubles
 // tell (a guess, which hangs on the points alone).  (2) Rings run as the triangles do, so holes run the other way around.
-// They cross nowhere, and wind once around what the triangles cover; triangles that cover one another in the plane, or
-// have two vertices at one place, become no polygon: each is a face of its own, and the first is in `apart`.  A ring that passes a vertex twice touches
-// itself there; a ring of two corners is both sides of one edge, of more than two triangles.  (3) A vertex is dropped, if
+// They cross nowhere, and wind once around what the triangles cover; triangles that cover one another in the plane, have
+// two vertices at one place or a vertex on an edge of a ring become no polygon: each is a face of its own, and the first
+// is in `apart`.  A ring that passes a vertex twice touches itself there; a ring of two corners is both sides of one
+// edge, of more than two triangles.  (3) A vertex is dropped, if
 // asked, where all rings that pass it run straight through it, exactly, between the same two neighbors; so all faces
 // agree, and no T-junction comes of it.  A triangle of exactly no area is a face of its own and keeps its corners.  (4)
 // triangulated() makes of a face its constrained Delaunay triangulation, seen along that axis: n + 2 h - 2 triangles for
@@ -46,7 +47,7 @@ struct CoplanarFaces {
   std::vector<std::uint32_t> corners, first_corner{0}, first_ring{0};
   std::vector<std::uint32_t> triangles, first_triangle{0};
   std::vector<std::uint32_t> plane;  // of each face the triangle in whose plane it is
-  std::vector<std::uint32_t> apart;  // first triangles of those that cover one another
+  std::vector<std::uint32_t> apart;  // first triangles of those that become no polygon
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(plane.size()); }
   [[nodiscard]] std::vector<std::span<const std::uint32_t>> rings_of(std::uint32_t face) const {

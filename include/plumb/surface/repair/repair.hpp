@@ -31,8 +31,8 @@
 //   where that gives fewer triangles; vertices that all faces run straight through are dropped, unless they are kept.
 // - unused: vertices that no triangle names are left out.
 // Laws: (1) no vertex gets a new coordinate; vertices and triangles that no step names stay, bit for bit, in their order.
-// (2) Everything is decided exactly, tolerances are compared exactly; what is a guess is which corners of a loop are cut off
-// first.  (3)
+// (2) Everything is decided exactly, tolerances are compared exactly; what is a guess is which corners of a loop are cut
+// off first.  (3)
 // The same mesh with vertices and triangles in another order becomes the same mesh in another order, where equal points
 // are one vertex: weld comes first, or a step may tell them apart; threads change nothing.  (4) What cannot be mended
 // stays, and is in the list of changes (is_left).  (5) Crossing surfaces are not parted.
@@ -40,8 +40,9 @@
 // NonFinite.
 // Source: RTCD 12.1, 12.3, 12.5.1; Barequet and Sharir 1995 (least area).
 // Cost: a tree and the pairs of triangles that meet, some 1 us a triangle for each step that asks about nesting or
-// fillings, and for the judgement; n^3 intervals for a loop of n <= 256 corners that is in no plane.  Bounded by n^3 operations, on integers
-// as long as the exponents' span.
+// fillings, and for the judgement; n^3 intervals for a loop of n <= 256 corners that is in no plane, and n^4 exact areas
+// where large pieces of it are in one plane each, so that most fillings are equally large.  Bounded by n^4 operations,
+// on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>
@@ -115,7 +116,7 @@ enum class ChangeKind : unsigned char {
   one_sided_hole,  // of a component that is one-sided
   open_chain,      // open edges that end at edges of more than two triangles
   kept_edge,       // of more than two triangles
-  kept_coplanar,   // triangles in one plane that cover one another there
+  kept_coplanar,   // triangles in one plane that cover one another there, or touch with a vertex
 };
 inline constexpr std::size_t change_kinds = 24;
 
