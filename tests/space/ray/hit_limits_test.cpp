@@ -168,6 +168,9 @@ TEST(HitLimits, RefuseWhatIsNoNumber) {
   std::vector<std::uint32_t> out(2);
   EXPECT_EQ(text_of<UnequalLengths>([&] { first_triangle(bvh, rays, out, {.limits = one}); }),
             "first_triangle: limits has 1 items, rays has 2");
+  const std::vector<HitLimits> second{{}, {.most = nan}};
+  EXPECT_EQ(text_of<NonFinite>([&] { first_triangle(bvh, rays, out, {.limits = second}); }),
+            "first_triangle: limits[1].most is NaN");
 }
 
 }  // namespace
