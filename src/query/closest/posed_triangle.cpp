@@ -89,7 +89,7 @@ Numbers numbers_near(const PosedTriangle3& t, const Point3& p, Feature feature, 
 template <class T>
 using PosedPair = Found<T, Vec3<T>>;
 
-/// Of corners times both weights: those that are no longer.
+/// The corners are times both weights; the points are told without.
 template <class T>
 WeightedPair<T> weighted_points(const PosedPair<T>& found, const CornersTogether<T>& both) {
   const auto place = [&](const PointOn<T, Vec3<T>>& p, Feature f) {

@@ -81,7 +81,7 @@ Body<T> body_of(const Triangle3& t, CertainSigns& ask) {
   return body;
 }
 
-/// Of corners that are told over the number type; what is told of edges is not their order.
+/// The corners are told over the number type; the order of an edge's ends is not told.
 template <class T>
 Body<T, Vec3<T>> body_of(const std::array<Vec3<T>, 3>& corner, CertainSigns& ask) {
   using P = Vec3<T>;

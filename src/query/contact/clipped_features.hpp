@@ -127,7 +127,7 @@ class Sides {
       }
     }
   }
-  /// Of a parallelogram and another one, edge by edge.
+  /// Takes the signs of two parallelograms, edge by edge of the one.
   explicit Sides(const std::array<Sign, 16>& sign) : lines_(4), vertices_(4), is_segment_(false) {
     for (const Sign s : sign) sign_.push_back(s);
   }
@@ -195,7 +195,7 @@ struct SeenFeature {
   }
 };
 
-/// By the sides of each one's edges that the other's corners are on.
+/// `on_a` tells on which side of each edge of a the corners of b are, `on_b` the other way round.
 FoundCorners found_corners(const SeenFeature& a, const SeenFeature& b, const Sides& on_a, const Sides& on_b);
 
 /// `normal` leads from a to b, back along the way.

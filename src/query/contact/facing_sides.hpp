@@ -4,7 +4,7 @@
 // Along w, of the axes u, v, w of a box, a side has the normal u x v; of the sides that hold what is farthest out the one
 // faces the other box whose normal makes the least angle with the direction d that leads out: (n . d)^2 / n . n is the
 // greatest.  An edge along u has (d x u) . (q - p) > 0 on the inner side; on a parallelogram with the middle m the opposite
-// edges tell |d . n| times the other edge, plus and minus (d x u) . (q - m).  Everything is twice as large as it is.
+// edges tell |d . n| times the other edge, plus and minus (d x u) . (q - m).  Lengths are doubled throughout.
 // Laws: nothing is told where the guess is not the side that faces the other box, or where another may be as well.
 // Source: RTCD 4.4; Gregorius 2015.
 // Cost: some 300 operations.

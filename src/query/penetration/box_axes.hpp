@@ -23,7 +23,7 @@ template <class T>
 Vec<T> vec_of(const T& x, const T& y, const T& z) {
   return {x, y, z};
 }
-/// Of numbers whose errors are in their types, which are not those of their products.
+/// Numbers may have their errors in their types, which are not those of their products.
 template <class S, class T>
 auto tracked_cross(const Vec<S>& u, const Vec<T>& v) {
   return vec_of(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
@@ -33,7 +33,7 @@ auto tracked_dot(const Vec<S>& u, const Vec<T>& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 
-/// Of the axes 0 to 2 of the first box and 3 to 5 of the second.
+/// Axes 0 to 2 are those of the first box, 3 to 5 of the second.
 struct NearAxes {
   static constexpr Scales scales{.count = 2, .maxima = 3};  // lengths; axes
   static constexpr int highest = 12;
@@ -47,7 +47,7 @@ struct NearAxes {
     friend bool operator==(const Told&, const Told&) = default;
   };
 
-  /// Of each two axes the other four.
+  /// The entry 6 i + j holds the four axes that are neither i nor j.
   static constexpr auto others = [] {
     std::array<std::array<std::uint8_t, 4>, 36> all{};
     for (std::size_t of = 0; of < 36; ++of) {

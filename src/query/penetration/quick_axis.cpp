@@ -175,7 +175,7 @@ struct RoughSigns {
   std::optional<Sign> overlap, middle;
   std::array<std::optional<Sign>, 6> along{};
 };
-/// Of a normal along an axis of space what that axis tells at once, then pairs of doubles for what is left open; nothing
+/// An axis of space that the normal is along tells its signs at once, pairs of doubles what is left open; nothing is told
 /// where these leave it open, or where nothing leads along the normal.
 std::optional<Signs> signs_of(std::uint32_t normal, const std::array<std::uint32_t, 2>& of, const RoughSigns& rough,
                               std::optional<AlongAxis> along_space, Axes& axes) {
@@ -228,7 +228,7 @@ struct Candidates {
   bool is_widest = true;   // of what is apart, as far as doubles tell
 };
 
-/// Of what is apart, a guess: of faces that are nearly in one plane the largest is the one that the other body is before.
+/// A guess: the largest of faces that are nearly in one plane is the one that the other body, apart from it, is before.
 /// `is_face(i)`: is there a gap along the normal of a face, which is nearly as wide as any?
 template <class IsFace, class Area>
 std::optional<std::uint32_t> likely_face(std::size_t size, const IsFace& is_face, const Area& area) {
@@ -275,7 +275,7 @@ std::optional<Least> least_of(Candidates c, Axes& axes, const SignsAt& signs_at)
   }
 }
 
-/// By running errors, of any sums.
+/// Running errors tell them, of any sums.
 RoughSigns rough_signs(const Zonotope& z, std::uint32_t i) {
   const Zonotope::OfNormal& n = z.rough(i);
   RoughSigns rough{certain(n.overlap.sign()), certain(n.middle.sign())};
@@ -365,7 +365,7 @@ class Boxes {
   [[nodiscard]] const GivenBox& a() const { return a_; }
   [[nodiscard]] const GivenBox& b() const { return b_; }
 
-  /// Of the fifteen axes' statement.
+  /// The pair by the numbers of the fifteen axes' statement.
   [[nodiscard]] NearAxes::Pair pair(const Candidates::Of& of) const { return {first_[of[0]], first_[of[1]]}; }
   [[nodiscard]] const Vector3& axis(std::uint32_t k) const { return (k < 3 ? a_ : b_).axes[k % 3]; }
   [[nodiscard]] std::optional<AlongAxis> along_space(const NearAxes::Pair& p) const {

@@ -1,13 +1,14 @@
 // Separating axis test (SAT): along which axis do two sums of edges overlap least, and are there others?  By doubles, where
 // they tell.
 //
-// Running errors leave a few axes that may be the nearest, pairs of doubles find the one that is.  Axes at right angles to
+// Errors derived from the axes' statement (box_axes.hpp), of other sums running ones, leave a few axes that may be the
+// nearest; pairs of doubles find the one that is.  Axes at right angles to
 // edges that this one is at right angles to as well are the same one: so a box that rests on another is no tie.
 // Laws: what is told is what query/penetration/search.hpp would tell; nothing where doubles do not tell it, or where
 // several directions are as near.  Of bodies that are apart: a plane between them, which need not be at right angles to
 // the way between their nearest points.
 // Source: RTCD 4.4.1, 5.2.1; Gottschalk, Lin and Manocha 1996.
-// Cost: beside the zonotope some 100 operations, 1,200 more for each axis that may be as near; no allocation.
+// Cost: beside the statement or the zonotope some 100 operations, 1,200 more for each axis that may be as near; no allocation.
 #pragma once
 
 #include "query/penetration/separating_axes.hpp"

@@ -44,7 +44,7 @@ class HitSearch : public TriangleVisitor {
     pose_ = &mesh.pose;
   }
 
-  /// Before it is asked for: what they leave out is no hit.
+  /// What the limits leave out is no hit.  To be called before a task is asked for; the limits must outlive the search.
   void keep_within(const HitLimits& limits) {
     limits_ = &limits;
     limit_ = std::min(limit_, keys_.limit_at(limits.most));

@@ -21,9 +21,12 @@ template <class Source>
 constexpr std::size_t rays_of_part = space::is_posed_source<Source> ? 64 : 2048;
 constexpr std::size_t rays_of_block = 256;
 
-void require_numbers(const char* function, const HitLimits& limits) {
+/// `ray`: which of many has these limits, if there are many.
+void require_numbers(const char* function, const HitLimits& limits, std::optional<std::size_t> ray = {}) {
   for (const auto& [name, number] : {std::pair("least", limits.least), std::pair("most", limits.most)}) {
-    if (std::isnan(number)) throw NonFinite(std::string(function).append(": limits.").append(name).append(" is NaN"));
+    if (!std::isnan(number)) continue;
+    const std::string of = ray ? "[" + std::to_string(*ray) + "]" : "";
+    throw NonFinite(std::string(function) + ": limits" + of + "." + name + " is NaN");
   }
 }
 
@@ -163,7 +166,7 @@ void search_all(const char* function, const MeshView& view, std::span<const AnyR
   space::require_equal_lengths(function, "out", out.size(), "rays", rays.size());
   if (!options.limits.empty())
     space::require_equal_lengths(function, "limits", options.limits.size(), "rays", rays.size());
-  for (const HitLimits& limits : options.limits) require_numbers(function, limits);
+  for (std::size_t i = 0; i < options.limits.size(); ++i) require_numbers(function, options.limits[i], i);
   space::with_source(function, "mesh", view, [&]<class Source>(const Source& source) {
     constexpr std::size_t part_size = rays_of_part<Source>;
     const auto& tree = space::mesh_of(source).tree;

@@ -94,8 +94,8 @@ std::string closest_text(const ClosestReport& report, bool all, const Style& sty
   if (report.mesh.mesh.triangles.empty()) {
     text += "The mesh has no triangles: nothing is nearest.\n";
   } else if (report.radius) {
-    text += fmt::format("{} of {} are farther from the mesh than {}.\n", grouped(beyond),
-                        plural(many, "point", "points"), *report.radius);
+    text += fmt::format("{} of {} points are farther from the mesh than {}.\n", grouped(beyond), grouped(many),
+                        *report.radius);
   }
   return text + inexact_remark(inexact, many, "points");
 }

@@ -1,7 +1,7 @@
 // `plumb closest`: how far are these points from this mesh, and which of its triangles and points is nearest?
 //
-// Laws: text, JSON and OBJ hold the same answers, in the order of the points as given.  Exit code 0 when done, also where nothing is within
-// the radius; a mesh, a table or words that cannot be read, an output that cannot be written throw Error.
+// Laws: text, JSON and OBJ hold the same answers, those of --point first, then the table's, each in their order.  Exit
+// code 0 when done, also where nothing is within the radius; a mesh, a table or words that cannot be read, an output that cannot be written throw Error.
 // Source: plumb/space/closest/closest_on_mesh.hpp.
 // Cost: that of the tree, and some microseconds a point.
 #pragma once

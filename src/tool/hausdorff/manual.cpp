@@ -17,7 +17,9 @@ Told are two numbers between which the distance lies for certain, the
 point where the lower one is reached, on which triangle it lies, by its
 number in the file, from 0, and which triangle of the other mesh is
 nearest to it. The two numbers are as near to one another as --absolute
-or --relative ask, or it is said that they are not.
+or --relative ask, whichever asks less, or as 2^-40 of the extent of the
+larger mesh, below which there is rounding alone; or it is said that they
+are not.
 
 Of one surface in two triangulations the distance is 0, and the bounds
 are as small as the rounding of points.)"}},

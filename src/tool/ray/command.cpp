@@ -17,8 +17,6 @@ namespace {
 
 NamedRay ray_of(NamedRow row) {
   const std::vector<double>& x = row.values;
-  if (x[3] == 0 && x[4] == 0 && x[5] == 0)
-    throw Error(fmt::format("ray {}: its direction is zero, so that it goes nowhere", row.name));
   return {std::move(row.name), Ray3{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, row.exact};
 }
 

@@ -1,7 +1,7 @@
 // `plumb ray`: which triangles of this mesh do these rays hit, in exact order?
 //
-// Laws: text and JSON hold the same hits, in the order of the rays as given, those of files last; OBJ the triangles that text names.  Exit code 0 when done, also where nothing
-// is hit; a mesh or words that cannot be read, an output that cannot be written throw Error.
+// Laws: text and JSON hold the same hits, of --ray, --segment, --rays, then --segments, each in their order; OBJ the
+// triangles that text names.  Exit code 0 when done, also where nothing is hit; a mesh or words that cannot be read, an output that cannot be written throw Error.
 // Source: plumb/space/ray/mesh_ray.hpp.
 // Cost: that of the tree, and of all hits of each ray.
 #pragma once

@@ -37,7 +37,7 @@ inline constexpr RowShape ray_shape{ray_columns, "a ray has six: origin and dire
 inline constexpr std::array<std::string_view, 6> segment_columns{"ax", "ay", "az", "bx", "by", "bz"};
 inline constexpr RowShape segment_shape{segment_columns, "a segment has six: its two ends"};
 
-/// Of a row of three.
+/// The row has three numbers.
 inline Point3 point_of(const NamedRow& row) { return {row.values[0], row.values[1], row.values[2]}; }
 
 /// "0.5,0.5,0.5"; `what` names it in errors.
@@ -46,7 +46,7 @@ NamedRow read_named_row(const std::string& words, const std::string& what, const
 /// `name` is the text's in errors.
 std::vector<NamedRow> parse_named_rows(std::string_view text, const std::string& name, const RowShape& shape);
 
-/// Of the file, or of standard input for "-"; throws Error where it cannot be read.
+/// Reads the file, or standard input for "-"; throws Error where it cannot be read.
 std::vector<NamedRow> read_named_rows(const std::string& file, const ReadOptions& reading, const RowShape& shape);
 
 }  // namespace plumb::tool

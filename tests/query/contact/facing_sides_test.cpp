@@ -77,7 +77,7 @@ Corners corners_of(const GivenBox& b, const FacingSide& s) {
   if (!s.forth) std::swap(around[0], around[3]), std::swap(around[1], around[2]);
   return {around};
 }
-/// Of small integers, whose products doubles hold.
+/// The numbers are small integers, whose products doubles hold.
 FacingSides::Told truth(const Asked& x) {
   const auto sign = [](double t) { return static_cast<Sign>((t > 0) - (t < 0)); };
   const Plain n = cross(arith::vec<double>(x.u), arith::vec<double>(x.v));

@@ -136,12 +136,21 @@ TEST(HitLimits, OfManyRaysAreEachItsOwn) {
     first_hit(bvh, rays, firsts, {.limits = limits});
     any_hit(bvh, rays, any, {.limits = limits});
     count_hits(bvh, rays, counts, {.limits = limits});
+    std::vector<std::vector<NumberedHit>> lists(rays.size());
+    hits(bvh, rays, lists, {.limits = limits});
+    Pose aside = identity_pose;
+    aside.translation = {0.25, 0, -0.5};
+    const PosedMesh moved{bvh, aside};
+    std::vector<std::vector<NumberedHit>> lists_of_moved(rays.size());
+    hits(moved, rays, lists_of_moved, {.limits = limits});
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const auto alone = first_hit(bvh, rays[i], limits[i]);
       ASSERT_EQ(firsts[i], alone) << "ray " << i;
       ASSERT_EQ(first[i], alone ? alone->index : no_triangle) << "ray " << i;
       ASSERT_EQ(any[i] != 0, alone.has_value()) << "ray " << i;
-      ASSERT_EQ(counts[i], hits(bvh, rays[i], limits[i]).size()) << "ray " << i;
+      ASSERT_EQ(lists[i], hits(bvh, rays[i], limits[i])) << "ray " << i;
+      ASSERT_EQ(counts[i], lists[i].size()) << "ray " << i;
+      ASSERT_EQ(lists_of_moved[i], hits(moved, rays[i], limits[i])) << "ray " << i;
       changed += alone != first_hit(bvh, rays[i]);
     }
     EXPECT_GT(changed, 300);
@@ -159,6 +168,9 @@ TEST(HitLimits, RefuseWhatIsNoNumber) {
   std::vector<std::uint32_t> out(2);
   EXPECT_EQ(text_of<UnequalLengths>([&] { first_triangle(bvh, rays, out, {.limits = one}); }),
             "first_triangle: limits has 1 items, rays has 2");
+  const std::vector<HitLimits> second{{}, {.most = nan}};
+  EXPECT_EQ(text_of<NonFinite>([&] { first_triangle(bvh, rays, out, {.limits = second}); }),
+            "first_triangle: limits[1].most is NaN");
 }
 
 }  // namespace
