@@ -15,8 +15,11 @@
 namespace plumb::tool {
 namespace {
 
-NamedRay ray_of(NamedRow row) {
+/// The library takes a zero direction for the point that it leaves; of what was typed or tabled it is a mistake.
+NamedRay ray_of(NamedRow row, const std::string& what) {
   const std::vector<double>& x = row.values;
+  if (x[3] == 0 && x[4] == 0 && x[5] == 0)
+    throw Error(fmt::format("{}: the direction of {} is zero, so that it goes nowhere", what, row.name));
   return {std::move(row.name), Ray3{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, row.exact};
 }
 
@@ -28,13 +31,13 @@ NamedRay segment_of(NamedRow row) {
 RayReport ray_report(const RayOptions& options, const OutputFiles& outputs) {
   RayReport report;
   for (const std::string& words : options.rays)
-    report.rays.push_back(ray_of(read_named_row(words, "--ray " + words, ray_shape)));
+    report.rays.push_back(ray_of(read_named_row(words, "--ray " + words, ray_shape), "--ray"));
   for (const std::string& words : options.segments)
     report.rays.push_back(segment_of(read_named_row(words, "--segment " + words, segment_shape)));
   const ReadOptions reading = options.meshes.reading();
   if (options.ray_file) {
     for (NamedRow& row : read_named_rows(*options.ray_file, reading, ray_shape))
-      report.rays.push_back(ray_of(std::move(row)));
+      report.rays.push_back(ray_of(std::move(row), printable(name_of_input(*options.ray_file))));
   }
   if (options.segment_file) {
     for (NamedRow& row : read_named_rows(*options.segment_file, reading, segment_shape))
