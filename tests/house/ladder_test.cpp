@@ -45,14 +45,16 @@ class SmallTree : public testing::Test {
           "\"plumb/certify/decide.hpp\"\n");
     write("include/plumb/certify/detail/stage.hpp",
           "namespace plumb {\nnamespace certify {\n}  // namespace certify\n");
-    write("include/plumb/surface.hpp", "#include \"plumb/surface/mesh.hpp\"  // surface/cgal.hpp, surface/hull.hpp\n");
-    write("include/plumb/surface/mesh.hpp", "#include \"plumb/predicates.hpp\"\n");
+    write("include/plumb/surface.hpp",
+          "#include \"plumb/surface/file/mesh.hpp\"  // surface/file/cgal.hpp, surface/file/hull.hpp\n");
+    write("include/plumb/surface/file/mesh.hpp", "#include \"plumb/predicates.hpp\"\n");
     write("include/plumb/plumb.hpp", "#include \"plumb/surface.hpp\"\n");
-    write("src/surface/read.cpp", "#include \"plumb/surface/mesh.hpp\"\n#include \"surface/parser.hpp\"\n");
+    write("src/surface/file/read.cpp",
+          "#include \"plumb/surface/file/mesh.hpp\"\n#include \"surface/file/parser.hpp\"\n");
     write("src/figure/basic/near.hpp",
           "constexpr double thin = 0x1p-40;  // a guess\nx *= 0x1p-9;  // powers of two\n");
     write("src/tool/mesh/near.hpp", "constexpr double thin = 0x1p-40;\n");
-    write("src/surface/parser.hpp", "");
+    write("src/surface/file/parser.hpp", "");
     write("include/plumb/classic.h", "");
     write("src/classic/classic.cpp", "#include \"plumb/classic.h\"\n#include \"plumb/certify/decide.hpp\"\n");
     write("src/install.cmake", "");
@@ -99,40 +101,41 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"include/plumb/certify/from_c.hpp", "#include \"plumb/classic.h\"\n", "later folder"},
       {"include/plumb/certify/odd.hpp", "#include \"plumb/geometry/sphere.hpp\"\n", "no rung"},
       {"include/plumb/query.hpp", "#include \"plumb/space/grid.hpp\"\n", "later folder"},
-      {"src/arith/filter.cpp", "#include \"surface/parser.hpp\"\n", "later folder"},
+      {"src/arith/filter.cpp", "#include \"surface/file/parser.hpp\"\n", "later folder"},
       {"src/world/scene.cpp", "#include \"tool/report.hpp\"\n", "later folder"},
-      {"src/world/scene.cpp", "#include \"../surface/parser.hpp\"\n", "climbs"},
+      {"src/world/scene.cpp", "#include \"../surface/file/parser.hpp\"\n", "climbs"},
       {"predicates/circle.hpp", "#include <gmp.h>\n", "stays in arith"},
       {"include/plumb/certify/slow.hpp", "#include <gmpxx.h>\n", "stays in arith"},
       {"include/plumb/figure/basic/fit.hpp", "#include <Eigen/Dense>\n", "stays at the edge"},
       {"include/plumb/figure/basic/fit.hpp", "#include <fmt/core.h>\n", "the program's"},
       {"include/plumb/degenerate/points.hpp", "#include <rapidcheck.h>\n", "stays in its bridge"},
       {"src/certify/slow.cpp", "#include <CGAL/Gmpq.h>\n", "oracles and rivals"},
-      {"include/plumb/surface/cgal.hpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
+      {"include/plumb/surface/file/cgal.hpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
       {"docs/examples/slicer/main.cpp", "#include <CGAL/enum.h>\n", "oracles and rivals"},
       {"src/query/body/roots.cpp", "#include \"plumb/arith/gmp.hpp\"\n", "for its users alone"},
-      {"include/plumb/surface/hull.hpp", "#include \"plumb/certify/cgal_kernel.hpp\"\n", "for its users alone"},
+      {"include/plumb/surface/file/hull.hpp", "#include \"plumb/certify/cgal_kernel.hpp\"\n", "for its users alone"},
       {"tests/certify/law_test.cpp", "#include <boost/multiprecision/gmp.hpp>\n", "oracles and rivals"},
       {"src/tool/mesh/hull.cpp", "#include <libqhull_r/qhull_ra.h>\n", "rivals only"},
       {"tests/oracle/boxes.cpp", "#include <fcl/math/bv/OBB.h>\n", "rivals only"},
       {"include/plumb/figure.hpp", "#include \"plumb/arith/rational.hpp\"\n", "brings gmpxx.h along"},
-      {"src/surface/utils.hpp", "", "says nothing"},
+      {"src/surface/file/utils.hpp", "", "says nothing"},
       {"tests/tool/string_helpers.hpp", "", "says nothing"},
       {"src/tool/mesh/long.cpp", std::string(501, '\n'), "501 lines"},
       {"src/query/roots.cpp", "", "no room of query"},
       {"src/figure/odds/roots.cpp", "", "no room of figure"},
       {"include/plumb/query/ray/hit.hpp", "#include \"plumb/query/kinds/hit.hpp\"\n", "later room"},
       {"src/query/body/corner.cpp", "#include \"query/ray/numbers.hpp\"\n", "later room"},
-      {"src/surface/odd.cpp", "#include \"parser.hpp\"\n", "without its folder"},
-      {"src/surface/odd.cpp", "#include <plumb/surface.hpp>\n", "in brackets"},
-      {"src/surface/odd.cpp", "namespace plumb {\nnamespace {\n}  // namespace\nnamespace mesh {\n", "plumb::mesh"},
-      {"src/surface/odd.cpp", "namespace plumb::query {\n}  // namespace plumb::query\n", "not of its folder"},
-      {"src/surface/odd.cpp", "namespace surface {\n}  // namespace surface\n", "not of its folder"},
-      {"include/plumb/surface/odd.hpp", "", "named by no face"},
+      {"src/surface/file/odd.cpp", "#include \"parser.hpp\"\n", "without its folder"},
+      {"src/surface/file/odd.cpp", "#include <plumb/surface.hpp>\n", "in brackets"},
+      {"src/surface/file/odd.cpp", "namespace plumb {\nnamespace {\n}  // namespace\nnamespace mesh {\n",
+       "plumb::mesh"},
+      {"src/surface/file/odd.cpp", "namespace plumb::query {\n}  // namespace plumb::query\n", "not of its folder"},
+      {"src/surface/file/odd.cpp", "namespace surface {\n}  // namespace surface\n", "not of its folder"},
+      {"include/plumb/surface/file/odd.hpp", "", "named by no face"},
       {"src/query/ray/near.cpp", "constexpr double off = 0x1p-40;\n", "types a bound in line 1"},
       {"src/certify/near.cpp", "\n// A root and a product: together less than 3 u.\n", "types a bound in line 2"},
       {"src/space/bvh/near.cpp", "constexpr double off = 0x1p-40;\n", "types a bound in line 1"},
-      {"src/surface/near.cpp", "\n// No area is off by at most six times that.\n", "types a bound in line 2"},
+      {"src/surface/file/near.cpp", "\n// No area is off by at most six times that.\n", "types a bound in line 2"},
       {"src/figure/basic/near.cpp", "// A guess.\n\n\n\n\nbool near = x < 3 * filter_constant<F>();\n", "in line 6"},
       {"tests/oracle/report.txt", std::string(200'001, ' '), "200001 bytes"},
   };
