@@ -150,15 +150,14 @@ TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
                    {"boolean a.obj b.obj", "'plumb intersect A B' finds where two meshes cross"},
                    {"union a.obj", "'plumb section' cuts one by planes"},
                    {"mend a.obj", "'plumb repair' mends meshes"},
-                   {"decompose a.obj", "'plumb convex'"},
+                   {"decompose a.obj", "'plumb parts'"},
                    {"simulate", "'plumb pairs'"}});
   for (const auto& [words, what] : std::vector<std::pair<std::string, std::string>>{
            {"booleans boolean-union Boolean unions difference subtract intersections csg", "solids are not united"},
            {"offset thicken minkowski_sum", "meshes are not offset"},
            {"mend fix fix_normals heal clean weld fill-holes", "'plumb repair' mends meshes"},
            {"simplify decimate remesh", "meshes are not simplified"},
-           {"convex-decomposition convex_decomposition decompose parts V-HACD convex-parts",
-            "'plumb parts' parts solids"},
+           {"convex-decomposition convex_decomposition decompose V-HACD convex-parts", "'plumb parts' parts solids"},
            {"scenes simulation collide collisions physics", "scenes are not played"},
            {"hulls convex-hull", "the library makes hulls"},
            {"python", "no Python module"}}) {

@@ -71,7 +71,7 @@ TEST(HausdorffCommand, RefusesWhatItCannotDo) {
   const std::pair<const char*, const char*> refusals[] = {
       {"", "two meshes are needed"},
       {"tent.obj", "two meshes are needed"},
-      {"tent.obj none.obj", "none.obj has no triangles"},
+      {"tent.obj none.obj", "none.obj: the mesh is empty"},
       {"tent.obj absent.obj", "absent.obj"},
       {"--absolute -1 tent.obj tent.obj", "-1 is negative"},
       {"--relative nan tent.obj tent.obj", "'nan' is not a decimal"},

@@ -91,9 +91,7 @@ std::string closest_text(const ClosestReport& report, bool all, const Style& sty
     }
   }
   if (shown < many) text += fmt::format("and {} more; --all lists them\n", grouped(many - shown));
-  if (report.mesh.mesh.triangles.empty()) {
-    text += "The mesh has no triangles: nothing is nearest.\n";
-  } else if (report.radius) {
+  if (report.radius) {
     text += fmt::format("{} of {} points are farther from the mesh than {}.\n", grouped(beyond), grouped(many),
                         *report.radius);
   }

@@ -38,7 +38,7 @@ plumb closest --within 0.05 --json - part.stl probes.csv
        Those within a tolerance, for another program.
 
 plumb closest --point 0,0,10 --obj near.obj part.stl
-       The triangle that is nearest to a point, as a mesh to be looked at.)"}}};
+       The triangle that is nearest to a point, as a mesh to look at.)"}}};
 }
 
 }  // namespace plumb::tool

@@ -74,10 +74,6 @@ int run_hausdorff(const HausdorffCommandOptions& options) {
   HausdorffReport report;
   report.one_way = options.one_way;
   report.meshes = read_asked_meshes(options.meshes, outputs);
-  for (const AskedMesh& mesh : report.meshes) {
-    if (mesh.mesh.triangles.empty())
-      throw Error(fmt::format("hausdorff: {} has no triangles, and no distance", mesh.name));
-  }
   const Bvh a = build_bvh(report.meshes[0].mesh), b = build_bvh(report.meshes[1].mesh);
   report.distance = options.one_way ? hausdorff_from(a, b, asked) : hausdorff_distance(a, b, asked);
   if (!outputs.on_standard_output()) say(hausdorff_text(report, Style(stdout)));

@@ -19,8 +19,8 @@ ray at a vertex hits all triangles about it, and none slips through
 between two triangles that share an edge. Numbers are the exact ones
 rounded once.
 
---rays and --segments name tables: a ray or a segment a line, six decimals
-with blanks or commas between them, packed or not.)"}},
+--rays and --segments name tables: a ray or a segment a line, six
+decimals with blanks or commas between them, packed or not.)"}},
           {{"EXIT STATUS", R"(
 0      Done, also where nothing is hit.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,

@@ -14,7 +14,8 @@ Whatever no step names stays as it was, bit for bit; no vertex gets a
 new coordinate. All is decided exactly; a tolerance is a wish, and is
 compared exactly. What cannot be mended stays, and is told: surfaces
 that cross, holes whose filling would meet the surface or that two
-fillings fit equally well, one-sided components. At last the mesh is judged as `plumb check` does.)"},
+fillings fit equally well, one-sided components. At last the mesh is
+judged as `plumb check` does.)"},
            {"STEPS", R"(
 Without --only all are taken but slivers, merge-coplanar, zip where
 there is no tolerance, and small-components where --smallest does not
