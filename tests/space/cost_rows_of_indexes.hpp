@@ -19,6 +19,14 @@ void come_and_move(Index&& index, const Cloud& c) {
   (void)index.overlapping_pairs();
 }
 
+/// A solid without notches.
+inline TriangleMesh hull_of(const std::vector<Point3>& points) {
+  const Hull3 hull = convex_hull(points);
+  TriangleMesh mesh{points, {}};
+  for (std::size_t f = 0; f < hull.face_count(); ++f) (void)triangulate_face(points, hull.face(f), mesh.triangles);
+  return mesh;
+}
+
 /// Of a strip, which have no vertex in common.
 inline std::vector<Bvh::Corners> each_third(const std::vector<Bvh::Corners>& triangles) {
   std::vector<Bvh::Corners> some;
@@ -351,15 +359,15 @@ inline const CostRow rows_of_indexes[]{
     {"overlapping_pairs in a split tree", "space/kd_tree/split_range.hpp", quadratic, 500,
      [](const Cloud& c) { (void)overlapping_pairs(build_split_tree(c.triangles)); }},
     // surface
-    {"find_edges", "surface/topology.hpp", sorting, 1, [](const Cloud& c) { (void)mesh_statistics(c.mesh); }},
-    {"read_mesh", "surface/read_mesh.hpp", sorting, 20,
+    {"find_edges", "surface/topology/topology.hpp", sorting, 1, [](const Cloud& c) { (void)mesh_statistics(c.mesh); }},
+    {"read_mesh", "surface/file/read_mesh.hpp", sorting, 20,
      [](const Cloud& c) {
        const std::string text = format_mesh(to_polygons(c.mesh), MeshFormat::stl);
        (void)parse_mesh(text, MeshFormat::stl, "mesh");
      }},
-    {"format_mesh", "surface/write_mesh.hpp", linear, 20,
+    {"format_mesh", "surface/file/write_mesh.hpp", linear, 20,
      [](const Cloud& c) { (void)format_mesh(to_polygons(c.mesh), MeshFormat::obj); }},
-    {"triangulate", "surface/triangulate.hpp", quadratic, 20,
+    {"triangulate", "surface/planar/triangulate.hpp", quadratic, 20,
      [](const Cloud& c) {
        PolygonMesh mesh{c.a, {}, {0, static_cast<std::uint32_t>(c.a.size())}};
        for (std::uint32_t i = 0; i < c.a.size(); ++i) mesh.corners.push_back(i);
@@ -382,20 +390,34 @@ inline const CostRow rows_of_indexes[]{
        for (std::size_t i = 0; i + 1 < c.flat.size(); i += 2) segments.push_back({c.flat[i], c.flat[i + 1]});
        (void)arrange_segments(segments);
      }},
-    {"section", "surface/section.hpp", quadratic, 50,
+    {"section", "surface/section/section.hpp", quadratic, 50,
      [](const Cloud& c) {
        (void)section(c.mesh, Plane3{vector(c.b[0]), 0});
      }},
-    {"find_shells", "surface/shells.hpp", quadratic, 500, [](const Cloud& c) { (void)find_shells(c.mesh); }},
+    {"find_shells", "surface/topology/shells.hpp", quadratic, 500, [](const Cloud& c) { (void)find_shells(c.mesh); }},
     {"find_faults", "surface/topology/faults.hpp", quadratic, 500, [](const Cloud& c) { (void)find_faults(c.mesh); }},
     {"surface_kinds", "surface/topology/components.hpp", sorting, 2,
      [](const Cloud& c) { (void)surface_kinds(c.mesh, find_edges(c.mesh)); }},
     {"find_weld", "surface/repair/weld.hpp", quadratic_log, 20,
      [](const Cloud& c) { (void)find_weld(c.mesh, {.tolerance = std::fabs(c.a[0].x)}); }},
-    {"repair", "surface/repair/repair.hpp", cubic, 2000, [](const Cloud& c) { (void)repair(c.mesh); }},
-    {"close_vertices", "surface/defects.hpp", quadratic, 5,
+    {"first_equal", "figure/basic/equal_points.hpp", sorting, 1, [](const Cloud& c) { (void)first_equal(c.a); }},
+    {"least_width", "figure/measures/width.hpp", cubic, 500, [](const Cloud& c) { (void)least_width(c.a); }},
+    {"bent_faces", "surface/planar/planarity.hpp", cubic, 500,
+     [](const Cloud& c) {
+       PolygonMesh mesh{c.a, {}, {0, static_cast<std::uint32_t>(c.a.size())}};
+       for (std::uint32_t i = 0; i < c.a.size(); ++i) mesh.corners.push_back(i);
+       (void)bent_faces(mesh);
+     }},
+    {"merge_coplanar", "surface/repair/merge_coplanar.hpp", quadratic, 50,
+     [](const Cloud& c) { (void)merge_coplanar(c.mesh); }},
+    {"convex_parts", "surface/parts/convex_parts.hpp", quadratic, 2000,
+     [](const Cloud& c) { (void)convex_parts(hull_of(c.a)); }},
+    {"covering_parts", "surface/parts/covering_parts.hpp", quadratic, 5000,
+     [](const Cloud& c) { (void)covering_parts(hull_of(c.a), {.concavity = 0}); }},
+    {"repair", "surface/repair/repair.hpp", quartic, 2000, [](const Cloud& c) { (void)repair(c.mesh); }},
+    {"close_vertices", "surface/topology/defects.hpp", quadratic, 5,
      [](const Cloud& c) { (void)close_vertices(c.mesh, std::fabs(c.a[0].x)); }},
-    {"vertices_on_edges", "surface/defects.hpp", quadratic, 50,
+    {"vertices_on_edges", "surface/topology/defects.hpp", quadratic, 50,
      [](const Cloud& c) { (void)vertices_on_edges(find_edges(c.mesh), build_bvh(c.mesh)); }},
 };
 

@@ -350,7 +350,7 @@ TEST(OneThread, IsAllThatOneThreadTakes) {
 
 // Whatever option names a file or a folder, names one to write or is told here to read it.
 TEST(Writers, AreAllThereAre) {
-  const std::set<std::string> read{"--ccd", "--judge", "--library", "--models", "--points"};
+  const std::set<std::string> read{"--ccd", "--judge", "--library", "--models", "--points", "--rays", "--segments"};
   for (const auto& [program, name] : {std::pair(Program::plumb, "$PLUMB"), {laboratory, "$PLUMB_LAB"}}) {
     if (path_of(program).empty()) continue;
     for (const std::string& command : commands(name)) {

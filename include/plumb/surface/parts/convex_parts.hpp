@@ -22,7 +22,7 @@
 // Source: RTCD 12.5.3; Chazelle, Convex partitions of polyhedra, 1984; Bajaj and Dey, Convex decomposition of polyhedra
 // and robustness, 1992; Bernstein and Fussell, Fast, exact, linear booleans, 2009, for solids held by their planes.
 // Cost: for each cut a sign of each vertex and e log e of the edges of what is cut; a part some 100 us.  Bounded by
-// r^2 cuts for r notches, of n edges each, on integers as long as the exponents' span.
+// n^2 cuts for n notches, of e edges each, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>
