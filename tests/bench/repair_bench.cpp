@@ -101,9 +101,18 @@ void union_find_plain(benchmark::State& state) {
 void mend(benchmark::State& state) {
   TriangleMesh mesh = ring(state);
   std::mt19937 random(5);
-  for (std::int64_t i = 0; i < state.range(0) / 1000; ++i)
-    planted::plant(std::array{"hole", "turned triangle", "duplicate", "opposite", "repeated vertex"}[i % 5], mesh,
-                   random);
+  std::vector<std::uint32_t> gone;
+  for (std::int64_t i = 0; i < state.range(0) / 1000; ++i) {
+    const std::string_view name = std::array{"hole of a triangle", "turned triangle", "duplicate triangle",
+                                             "opposite triangle", "repeated vertex"}[i % 5];
+    const auto fault = std::ranges::find(planted::faults, name, &planted::Fault::name);
+    planted::Ground ground{mesh, static_cast<std::uint32_t>(random() % mesh.triangles.size()), 1e-12};
+    fault->plant(ground);
+    gone.insert(gone.end(), ground.gone.begin(), ground.gone.end());
+  }
+  std::ranges::sort(gone, std::greater());
+  gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
+  for (const std::uint32_t triangle : gone) mesh.triangles.erase(mesh.triangles.begin() + triangle);
   std::size_t changes = 0;
   bool sound = false;
   for (auto _ : state) {
