@@ -52,9 +52,9 @@ std::vector<NamedMesh> generated_meshes(bool quick) {
   return {
       {"ball", "a ball of triangles", [quick] { return ball_mesh(quick ? 3 : 5); }},
       {"flange", "a machined part with flats and bores, every coordinate rounded",
-       [] { return moved(build_flange().mesh, 0.1, 1.3); }},
+       [] { return moved(tool::build_flange().mesh, 0.1, 1.3); }},
       {"far-flange", "the same part a million units from the origin",
-       [] { return moved(build_flange().mesh, 0.1, 1e6 + 1.3); }},
+       [] { return moved(tool::build_flange().mesh, 0.1, 1e6 + 1.3); }},
   };
 }
 
