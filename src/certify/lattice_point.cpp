@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "arith/shortest_decimal.hpp"
 #include "certify/refused_number.hpp"
 #include "plumb/certify/decide.hpp"
 
@@ -48,15 +49,10 @@ std::size_t first_off(std::span<const double> coordinates, const Lattice& lattic
   return i;
 }
 
-std::string shortest(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
 [[noreturn]] void throw_off(const std::string& place, double x, const Lattice& lattice) {
   throw OffLattice(std::string(place)
                        .append(" is ")
-                       .append(shortest(x))
+                       .append(arith::shortest_decimal(x))
                        .append(", which the plan's lattice does not hold (")
                        .append(described(lattice))
                        .append("); plan with the lattice of all coordinates"));

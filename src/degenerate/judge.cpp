@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "arith/shortest_decimal.hpp"
 #include "degenerate/fields.hpp"
 #include "degenerate/known_answer.hpp"
 #include "degenerate/words.hpp"
@@ -88,10 +89,7 @@ Judgment judge(const Kind& kind, std::span<const double> numbers, const Answer& 
   return first;
 }
 
-std::string decimal(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
+std::string decimal(double x) { return arith::shortest_decimal(x); }
 
 std::string words(const Kind& kind, const Answer& answer) {
   if (answer.outcome != Outcome::answered) {

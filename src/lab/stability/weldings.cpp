@@ -21,7 +21,7 @@ constexpr double tolerance = 0x1p-10;
 constexpr std::size_t vertices_of_cloud = 24;
 
 using Cloud = std::vector<Point3>;
-/// Of each vertex the one that it becomes.
+/// Each vertex becomes the one of this number.
 using Into = std::vector<std::uint32_t>;
 
 mpq_class exact_square(const Point3& p, const Point3& q) {

@@ -105,7 +105,7 @@ ClosePair<T, P> vertex_face_pair(const P& v, const TriangleFace<T, P>& face) {
   return {fixed<T>(v), {v, face.normal, gap, face.whole}, gap * gap, face.whole};
 }
 
-/// Where the edge crosses the face, strictly within both.
+/// The place is told where the edge crosses the face, strictly within both.
 template <class T, class P>
 std::optional<ClosePair<T, P>> pair_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face,
                                            CertainSigns& ask) {

@@ -109,7 +109,7 @@ struct FacingSides {
         const std::size_t here = edge == 0 ? 0 : s.forth ? 1 : 3, opposite = edge == 0 ? 2 : s.forth ? 3 : 1;
         for (std::size_t j = 0; j < 4; ++j) {
           const std::size_t corner = t.forth ? j : 3 - j;
-          // As seen from the second box the direction out and the way between the middles lead back: both cancel out.
+          // The second box sees the direction out and the way between the middles lead back: both cancel out.
           const bool is_first = (corner == 1 || corner == 2) == (i == 0), is_second = (corner > 1) == (i == 0);
           const auto to_first = is_first ? at_middle + first : at_middle - first;
           const auto lead = is_second ? to_first + second : to_first - second;

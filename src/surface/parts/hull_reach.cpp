@@ -6,14 +6,19 @@
 #include <queue>
 
 #include "plumb/arith/interval.hpp"
+#include "plumb/figure/basic/polyhedron.hpp"
+#include "plumb/figure/containment/contains.hpp"
 #include "plumb/query/closest/closest.hpp"
 
 namespace plumb::surface {
 namespace {
 
 /// The nearest double may be below the number; the one above is not.
-double above(double nearest) {
-  return nearest == 0 ? 0 : std::nextafter(nearest, std::numeric_limits<double>::infinity());
+double above(double nearest) { return std::nextafter(nearest, std::numeric_limits<double>::infinity()); }
+/// Of the distance of a point from a figure, as a double: what rounds to 0 need not be it.
+template <class Figure>
+double above(double distance, const Point3& p, const Figure& figure) {
+  return distance == 0 && contains(figure, p) ? 0 : above(distance);
 }
 double sum_above(double a, double b) { return (Interval(a) + Interval(b)).upper; }
 
@@ -67,7 +72,7 @@ class ReachFinder {
         const double d = distance(p, part.hull);
         nearest[corner] = std::min(nearest[corner], d);
         ++corner;
-        most = std::max(most, sum_above(above(d), part.off));
+        most = std::max(most, sum_above(above(d, p, part.hull), part.off));
       }
       patch.at_most = std::min(patch.at_most, sum_above(most, patch.off));
       if (most == 0) break;
@@ -87,7 +92,8 @@ std::array<Patch, 2> halves_of(const Patch& patch) {
   const double ab = distance(a, b), bc = distance(b, c), ca = distance(c, a);
   const auto cut = [&](const Point3& p, const Point3& q, const Point3& r) {
     const Point3 middle{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
-    const double off = sum_above(patch.off, above(distance(middle, Segment3{p, q})));
+    const Segment3 edge{p, q};
+    const double off = sum_above(patch.off, above(distance(middle, edge), middle, edge));
     return std::array{Patch{{p, middle, r}, off, 0}, Patch{{middle, q, r}, off, 0}};
   };
   if (ab >= bc && ab >= ca) return cut(a, b, c);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "arith/shortest_decimal.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/surface/topology/shells.hpp"
@@ -21,13 +22,9 @@ std::string number(std::uint32_t n) { return std::to_string(n); }
   throw InvalidShape(std::string(question) + ": " + what);
 }
 
-std::string coordinate_text(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
-
 std::string place(const Point3& p) {
-  return "(" + coordinate_text(p.x) + ", " + coordinate_text(p.y) + ", " + coordinate_text(p.z) + ")";
+  return "(" + arith::shortest_decimal(p.x) + ", " + arith::shortest_decimal(p.y) + ", " +
+         arith::shortest_decimal(p.z) + ")";
 }
 
 /// What is at an edge whose triangles do not take turns.

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string>
 
+#include "arith/shortest_decimal.hpp"
 #include "figure/basic/mesh_input.hpp"
 #include "figure/basic/plane_of_points.hpp"
 #include "figure/basic/signed_sums.hpp"
@@ -15,11 +16,6 @@ std::vector<Point3> corners_of_face(const PolygonMesh& mesh, std::size_t face) {
   std::vector<Point3> corners;
   for (const std::uint32_t v : faces_of(mesh)[face]) corners.push_back(mesh.vertices[v]);
   return corners;
-}
-
-std::string length_text(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
 }  // namespace
@@ -56,7 +52,7 @@ TriangleMesh triangulate_planar(const PolygonMesh& mesh, double length) {
   const std::vector<BentFace> bent = bent_faces(mesh, length);
   if (!bent.empty())
     throw InvalidShape("triangulate_planar: face " + std::to_string(bent[0].face) + " is not planar, but " +
-                       length_text(bent[0].width.width) + " thick; allow that length, or triangulate it");
+                       arith::shortest_decimal(bent[0].width.width) + " thick; allow that length, or triangulate it");
   return triangulate(mesh);
 }
 

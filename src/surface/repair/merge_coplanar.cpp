@@ -201,7 +201,7 @@ class CoplanarGrowth {
   std::vector<bool> passed_;
 };
 
-/// Of each vertex: do all rings run straight through it?
+/// Do all rings run straight through a vertex?
 std::vector<std::uint8_t> straight_vertices(const TriangleMesh& mesh, const std::vector<GrownFace>& faces) {
   std::vector<std::array<std::uint32_t, 2>> beside(mesh.vertices.size(), {no_vertex, no_vertex});
   std::vector<std::uint8_t> straight(mesh.vertices.size(), 1);

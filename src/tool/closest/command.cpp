@@ -60,14 +60,6 @@ std::vector<std::uint32_t> nearest_of(const ClosestReport& report) {
   return distinct(std::move(triangles));
 }
 
-std::vector<std::uint32_t> vertices_of(const TriangleMesh& mesh, const ClosestOnMesh& found) {
-  const auto& corners = mesh.triangles[found.triangle];
-  if (found.feature.kind == FeatureKind::vertex) return {corners[found.feature.index]};
-  if (found.feature.kind == FeatureKind::edge)
-    return {corners[found.feature.index], corners[(found.feature.index + 1) % 3]};
-  return {corners.begin(), corners.end()};
-}
-
 }  // namespace
 
 std::string closest_text(const ClosestReport& report, bool all, const Style& style) {
@@ -108,7 +100,7 @@ nlohmann::json closest_json(const ClosestReport& report) {
       place.update({{"distance", found->distance},
                     {"triangle", found->triangle},
                     {"feature", feature_word(found->feature)},
-                    {"vertex_numbers", vertices_of(report.mesh.mesh, *found)},
+                    {"vertex_numbers", vertices_of(report.mesh.mesh, found->triangle, found->feature)},
                     {"point", {found->point.x, found->point.y, found->point.z}}});
     }
     places.push_back(std::move(place));

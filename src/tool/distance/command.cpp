@@ -23,11 +23,7 @@ struct NearEnd {
 };
 
 NearEnd near_end(const TriangleMesh& mesh, std::uint32_t triangle, Feature feature, const Point3& point) {
-  const auto& corners = mesh.triangles[triangle];
-  NearEnd end{triangle, feature, point, {corners.begin(), corners.end()}};
-  if (feature.kind == FeatureKind::vertex) end.vertices = {corners[feature.index]};
-  if (feature.kind == FeatureKind::edge) end.vertices = {corners[feature.index], corners[(feature.index + 1) % 3]};
-  return end;
+  return {triangle, feature, point, vertices_of(mesh, triangle, feature)};
 }
 
 std::array<NearEnd, 2> near_ends(const DistanceReport& report) {

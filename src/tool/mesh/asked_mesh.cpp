@@ -51,6 +51,13 @@ nlohmann::json report_on(const std::string& program, std::span<const AskedMesh> 
   return report;
 }
 
+std::vector<std::uint32_t> vertices_of(const TriangleMesh& mesh, std::uint32_t triangle, Feature feature) {
+  const auto& corners = mesh.triangles[triangle];
+  if (feature.kind == FeatureKind::vertex) return {corners[feature.index]};
+  if (feature.kind == FeatureKind::edge) return {corners[feature.index], corners[(feature.index + 1) % 3]};
+  return {corners.begin(), corners.end()};
+}
+
 std::string_view feature_word(Feature feature) {
   return feature.kind == FeatureKind::vertex ? "vertex" : feature.kind == FeatureKind::edge ? "edge" : "face";
 }

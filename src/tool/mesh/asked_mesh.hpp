@@ -44,6 +44,9 @@ nlohmann::json mesh_json(const AskedMesh& asked);
 /// The report of a command on meshes: what every report begins with, and `meshes`.
 nlohmann::json report_on(const std::string& program, std::span<const AskedMesh> meshes);
 
+/// The vertices of a feature of a triangle, as the mesh numbers them.
+std::vector<std::uint32_t> vertices_of(const TriangleMesh& mesh, std::uint32_t triangle, Feature feature);
+
 /// "vertex", "edge" or "face", of a triangle.
 std::string_view feature_word(Feature feature);
 

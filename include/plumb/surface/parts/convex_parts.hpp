@@ -18,7 +18,7 @@
 // (Cavities in several boxes at once, and shells that touch themselves at a point, may add more, never wrongly.)
 // A mesh that bounds no solid throws InvalidShape, which names where: an open edge, triangles that run against each
 // other, cross or lie on one another, a triangle without area, a shell that is inside out or crosses another.
-// A triangle that names no vertex throws InvalidShape, NaN and infinity NonFinite.
+// A triangle that names no vertex throws InvalidShape, NaN and infinity in one that it names NonFinite.
 // Source: RTCD 12.5.3; Chazelle, Convex partitions of polyhedra, 1984; Bajaj and Dey, Convex decomposition of polyhedra
 // and robustness, 1992; Bernstein and Fussell, Fast, exact, linear booleans, 2009, for solids held by their planes.
 // Cost: for each cut a sign of each vertex and e log e of the edges of what is cut; a part some 100 us.  Bounded by
