@@ -1,6 +1,5 @@
 #include "plumb/certify/lattice_point.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>

@@ -1,9 +1,7 @@
 #include "query/gjk/mapping_hull.hpp"
 
-#include <array>
-#include <charconv>
-
 #include "arith/rounded_radical.hpp"
+#include "arith/shortest_decimal.hpp"
 #include "plumb/arith/error.hpp"
 #include "query/body/figure_input.hpp"
 
@@ -18,10 +16,7 @@ std::string joined(std::initializer_list<std::string_view> parts) {
   return text;
 }
 /// With the fewest digits that tell it from its neighbors.
-std::string text_of(double x) {
-  std::array<char, 32> digits{};
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
-}
+std::string text_of(double x) { return arith::shortest_decimal(x); }
 std::string text_of(std::string_view what, double x, double y, double z) {
   return joined({what, " (", text_of(x), ", ", text_of(y), ", ", text_of(z), ")"});
 }

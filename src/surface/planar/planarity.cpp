@@ -1,6 +1,5 @@
 #include "plumb/surface/planar/planarity.hpp"
 
-#include <charconv>
 #include <string>
 
 #include "arith/shortest_decimal.hpp"
