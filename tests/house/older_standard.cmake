@@ -1,22 +1,27 @@
 # Does every header say that C++20 is needed, and nothing else, to who compiles it as C++17?  In one error, at most a dozen
 # lines: what leads to it and the sentence.
 #   COMPILER, INCLUDES and HEADERS (separated by |)
-# Where a header includes another of ours first, that one speaks for it, and the preprocessor's word is enough: Clang goes
-# on to the end, and would compile all of it to say nothing more.
+# Where nothing but the standard's headers stand before another of ours, that one speaks for it, and is asked itself: to
+# compile each of hundreds that say the same took two minutes.
 string(REPLACE "|" ";" folders "${INCLUDES}")
 string(REPLACE "|" ";-I" includes "-I${INCLUDES}")
 string(REPLACE "|" ";" headers "${HEADERS}")
 set(most 12)
 set(longest 0)
+set(asked 0)
 foreach(header IN LISTS headers)
   find_file(path ${header} PATHS ${folders} NO_DEFAULT_PATH NO_CACHE REQUIRED)
-  file(STRINGS ${path} ours REGEX "^#include \"plumb/")
+  file(READ ${path} text)
   unset(path)
-  set(asked -E -o /dev/null)
-  if(NOT ours OR ours MATCHES "^#include \"plumb/predicates/standard")
-    set(asked -fsyntax-only)
+  string(FIND "${text}#include \"plumb/" "#include \"plumb/" place)  # the end, where there is none
+  string(SUBSTRING "${text}" 0 ${place} before)
+  string(SUBSTRING "${text}" ${place} -1 first)
+  string(REGEX REPLACE "//[^\n]*|#pragma once|#include <[^\n]*>|[ \n]" "" before "${before}")
+  if(first AND before STREQUAL "" AND NOT first MATCHES "^#include \"plumb/predicates/standard")
+    continue()
   endif()
-  execute_process(COMMAND ${COMPILER} -std=c++17 ${asked} ${includes} -include ${header} -x c++ /dev/null
+  math(EXPR asked "${asked} + 1")
+  execute_process(COMMAND ${COMPILER} -std=c++17 -fsyntax-only ${includes} -include ${header} -x c++ /dev/null
     RESULT_VARIABLE status ERROR_VARIABLE words)
   string(REGEX MATCHALL "error: [^\n]*" errors "${words}")
   string(REGEX REPLACE "[^\n]" "" ends "${words}")
@@ -29,7 +34,7 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 list(LENGTH headers count)
-message(STATUS "${count} headers, at most ${longest} lines each")
-if(count LESS 100)
+message(STATUS "${count} headers, of which ${asked} were compiled, at most ${longest} lines each")
+if(count LESS 100 OR asked LESS 10)
   message(SEND_ERROR "there are more headers than that")
 endif()
