@@ -168,7 +168,8 @@ TEST(OwnFigure, KeepsItsAnswersUnderACommonRigidPose) {
     const RigidPose turn{{1 + static_cast<double>(e.below(3)), number(), number(), number()}, {number(), 3, 0.1}};
     const RigidChain chain{{turn, {{2, 1, 0, 0}, {1, 0, 0}}}};
     const auto expect = [&](const auto& a, const auto& b, const auto& pose) {
-      const Posed p{a, pose}, q{b, pose};
+      const Posed p{a, pose};
+      const Posed q{b, pose};  // Clang deduces what is declared together as one
       const Relation expected = relate(a, b);
       ++seen[static_cast<std::size_t>(static_cast<int>(expected) + 1)];
       EXPECT_EQ(relate(p, q), expected) << "replay: " << i;
