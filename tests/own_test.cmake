@@ -2,9 +2,6 @@
 # <folder>/<name>.  Who includes this calls precompile_test_headers(PLACE HEADERS...) first, for each folder of the build: its
 # headers are its compiler's.
 
-# Clang's -Wconversion asks of signs as well, GCC's does not.
-add_library(plumb_test_flags INTERFACE)
-target_compile_options(plumb_test_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 function(use_test_flags target level)
   target_link_libraries(${target} PRIVATE plumb_plumb plumb_degenerate plumb_own_flags plumb_test_flags GTest::gmock_main
     rapidcheck)
