@@ -1,39 +1,17 @@
 #include "surface/repair/junctions.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "plumb/certify/compare_distance.hpp"
-#include "plumb/certify/direction.hpp"
 #include "plumb/figure/basic/equal_points.hpp"
 #include "plumb/space/kd_tree/point_range.hpp"
 #include "plumb/surface/topology/defects.hpp"
 #include "plumb/surface/topology/topology.hpp"
 #include "surface/repair/weld_groups.hpp"
 #include "surface/topology/between.hpp"
+#include "surface/topology/box_around.hpp"
 
 namespace plumb::surface {
 namespace {
-
-constexpr double greatest = std::numeric_limits<double>::max();
-
-double below(double x, double length) { return std::max(-greatest, std::nextafter(x - length, -greatest)); }
-double above(double x, double length) { return std::min(greatest, std::nextafter(x + length, greatest)); }
-
-/// A box that holds all within the length of a segment.
-Aabb3 box_around(const Point3& a, const Point3& b, double length) {
-  const auto [x, X] = std::minmax(a.x, b.x);
-  const auto [y, Y] = std::minmax(a.y, b.y);
-  const auto [z, Z] = std::minmax(a.z, b.z);
-  if (length == 0) return {{x, y, z}, {X, Y, Z}};
-  return {{below(x, length), below(y, length), below(z, length)},
-          {above(X, length), above(Y, length), above(Z, length)}};
-}
-
-bool runs_by(const Point3& a, const Point3& p, const Point3& b, double length) {
-  return p != a && p != b && angle_sign(p, a, b) == Sign::positive && angle_sign(p, b, a) == Sign::positive &&
-         compare_distance_to_segment(a, b, p, length) != Sign::positive;
-}
 
 std::vector<std::uint8_t> named_vertices(const TriangleMesh& mesh) {
   std::vector<std::uint8_t> named(mesh.vertices.size());
@@ -107,19 +85,22 @@ void SoughtVertices::near_edge(const std::array<std::uint32_t, 2>& edge, double 
   }
 }
 
-void junctions_step(RepairWork& work) {
-  std::vector<EdgeDivision> divisions;
+namespace {
+
+/// Divides edges at vertices exactly on them, until none is.  Returns those that cannot be divided.
+std::vector<EdgeDivision> divide_exactly(RepairWork& work) {
+  std::vector<EdgeDivision> divisions, left;
   {
     const MeshEdges edges = find_edges(work.mesh);
     for (const VertexOnEdge& on :
          vertices_on_edges(edges, build_bvh(work.mesh, {.execution = work.execution}), work.execution))
       divisions.push_back({edges.edges[on.edge], on.vertex});
   }
-  if (divisions.empty()) return;
+  if (divisions.empty()) return left;
   const SoughtVertices vertices(work.mesh, named_vertices(work.mesh), work.execution);
   while (!divisions.empty()) {
     const Divided divided = divide_edges(work, std::move(divisions), OnEdge::exactly);
-    note_junctions(work, divided.refused);
+    left.insert(left.end(), divided.refused.begin(), divided.refused.end());
     divisions.clear();
     std::vector<std::array<std::uint32_t, 2>> edges;  // of the parts: others have been looked at
     for (const std::uint32_t t : divided.parts) {
@@ -134,6 +115,45 @@ void junctions_step(RepairWork& work) {
     for (const auto& edge : edges) vertices.near_edge(edge, 0, divisions);
     std::erase_if(divisions, [&](const EdgeDivision& d) { return std::ranges::binary_search(divided.refused, d); });
   }
+  return left;
+}
+
+std::vector<EdgeDivision> near_divisions(const RepairWork& work) {
+  const MeshEdges edges = find_edges(work.mesh);
+  const Bvh bvh = build_bvh(work.mesh, {.execution = work.execution});
+  std::vector<EdgeDivision> divisions;
+  for (const VertexOnEdge& near : vertices_near_edges(edges, bvh, work.step.tolerance, work.execution))
+    divisions.push_back({edges.edges[near.edge], near.vertex});
+  std::ranges::sort(divisions);
+  return divisions;
+}
+
+/// Divides edges at vertices within the tolerance, as long as that leaves fewer of them.  Returns those that are left.
+std::vector<EdgeDivision> divide_nearly(RepairWork& work) {
+  std::vector<EdgeDivision> divisions = near_divisions(work);
+  while (!divisions.empty()) {
+    RepairWork trial{work.mesh, work.step, work.execution, {}};
+    divide_edges(trial, divisions, OnEdge::nearly);
+    std::vector<EdgeDivision> left = near_divisions(trial);
+    if (left.size() >= divisions.size()) break;
+    work.mesh = std::move(trial.mesh);
+    work.changes.insert(work.changes.end(), trial.changes.begin(), trial.changes.end());
+    divisions = std::move(left);
+  }
+  return divisions;
+}
+
+}  // namespace
+
+void junctions_step(RepairWork& work) {
+  std::vector<EdgeDivision> left = divide_exactly(work);
+  if (work.step.tolerance != 0) {
+    const std::vector<EdgeDivision> near = divide_nearly(work);
+    left.insert(left.end(), near.begin(), near.end());
+    std::ranges::sort(left);
+    left.erase(std::unique(left.begin(), left.end()), left.end());
+  }
+  note_junctions(work, left);
 }
 
 void zip_step(RepairWork& work) {

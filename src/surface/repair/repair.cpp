@@ -71,7 +71,10 @@ std::string_view text_of(ChangeKind kind) { return change_texts.at(static_cast<s
 
 std::vector<RepairStep> printable_solid(double tolerance) {
   std::vector<RepairStep> steps{{RepairKind::weld, tolerance}, {RepairKind::degenerate}, {RepairKind::t_junctions}};
-  if (tolerance != 0) steps.push_back({RepairKind::zip, tolerance});
+  if (tolerance != 0) {  // zip takes what is open; what is near an edge that is not is left to t_junctions
+    steps.push_back({RepairKind::zip, tolerance});
+    steps.push_back({RepairKind::t_junctions, tolerance});
+  }
   // What is within a solid that has a hole is a wall once the hole is filled.
   for (const RepairKind kind : {RepairKind::duplicates, RepairKind::walls, RepairKind::orientation, RepairKind::holes,
                                 RepairKind::walls, RepairKind::outward, RepairKind::split, RepairKind::unused})

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <tuple>
 
 #include "figure/basic/lists_by_number.hpp"
@@ -12,6 +14,7 @@
 #include "plumb/space/kd_tree/nearest_point.hpp"
 #include "space/bvh/parts.hpp"
 #include "surface/topology/between.hpp"
+#include "surface/topology/box_around.hpp"
 #include "surface/topology/disjoint_sets.hpp"
 #include "surface/topology/mesh_corner.hpp"
 
@@ -25,13 +28,13 @@ using surface::place_of;
 constexpr std::size_t vertices_of_block = 1024;
 constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
-/// The boxes that hold a point, as boxes are rounded.
-struct AroundPoint {
+/// The boxes that have a point of this one, as boxes are rounded.
+struct MeetsBox {
   std::array<float, 3> below, above;
 
-  AroundPoint(const BoxFrame& frame, const Point3& p)
-      : below{frame.below(p.x), frame.below(p.y), frame.below(p.z)},
-        above{frame.above(p.x), frame.above(p.y), frame.above(p.z)} {}
+  MeetsBox(const BoxFrame& frame, const Aabb3& box)
+      : below{frame.below(box.min.x), frame.below(box.min.y), frame.below(box.min.z)},
+        above{frame.above(box.max.x), frame.above(box.max.y), frame.above(box.max.z)} {}
   bool operator()(const BoxNode& node) const {
     bool holds = true;
     for (std::size_t k = 0; k < 3; ++k) holds = holds && node.min[k] <= above[k] && below[k] <= node.max[k];
@@ -50,6 +53,48 @@ std::vector<Item> joined(const std::vector<std::vector<Item>>& blocks) {
   std::vector<Item> all;
   for (const auto& block : blocks) all.insert(all.end(), block.begin(), block.end());
   return all;
+}
+
+void require_length(std::string_view function, double length) {
+  if (!(length - length == 0))
+    throw NonFinite(std::string(function) + ": the length is not a real number; give a finite one");
+  if (length < 0) throw InvalidShape(std::string(function) + ": the length is negative; give one of at least 0");
+}
+
+/// The vertices within the length of a box about an edge that are by that edge, as is_by(a, vertex, b) tells.
+template <class IsBy>
+std::vector<VertexOnEdge> vertices_by_edges(const MeshEdges& edges, const Bvh& bvh, double length, Execution execution,
+                                            const IsBy& is_by) {
+  const auto vertices = bvh.vertices.view();
+  const auto triangles = bvh.triangles.view();
+  std::vector<bool> used(vertices.size());
+  for (const auto& t : triangles)
+    for (const std::uint32_t v : t) used[v] = true;
+  std::vector<std::vector<VertexOnEdge>> found(space::blocks_of(vertices.size(), vertices_of_block));
+  space::for_blocks(execution, vertices.size(), vertices_of_block,
+                    [&](std::size_t block, std::size_t from, std::size_t to) {
+                      std::vector<VertexOnEdge>& list = found[block];
+                      for (std::size_t v = from; v < to; ++v) {
+                        if (!used[v]) continue;
+                        const std::size_t before = list.size();
+                        const MeetsBox near(bvh.tree.frame, surface::box_around(vertices[v], vertices[v], length));
+                        descend(bvh.tree, near, [&](std::uint32_t first, std::uint32_t count) {
+                          for (std::uint32_t slot = first; slot < first + count; ++slot) {
+                            const auto& t = triangles[slot];
+                            if (names_a_vertex_twice(t)) continue;
+                            for (std::size_t k = 0; k < 3; ++k) {
+                              const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                              if (a != v && b != v && is_by(vertices[a], vertices[v], vertices[b]))
+                                list.push_back({static_cast<std::uint32_t>(v), number_of_edge(edges, a, b)});
+                            }
+                          }
+                        });
+                        const auto of_vertex = list.begin() + static_cast<std::ptrdiff_t>(before);
+                        std::sort(of_vertex, list.end());
+                        list.erase(std::unique(of_vertex, list.end()), list.end());
+                      }
+                    });
+  return joined(found);
 }
 
 }  // namespace
@@ -79,35 +124,19 @@ std::vector<std::uint32_t> non_manifold_vertices(const TriangleMesh& mesh, const
 }
 
 std::vector<VertexOnEdge> vertices_on_edges(const MeshEdges& edges, const Bvh& bvh, Execution execution) {
-  const auto vertices = bvh.vertices.view();
-  const auto triangles = bvh.triangles.view();
-  std::vector<bool> used(vertices.size());
-  for (const auto& t : triangles)
-    for (const std::uint32_t v : t) used[v] = true;
-  std::vector<std::vector<VertexOnEdge>> found(space::blocks_of(vertices.size(), vertices_of_block));
-  space::for_blocks(
-      execution, vertices.size(), vertices_of_block, [&](std::size_t block, std::size_t from, std::size_t to) {
-        std::vector<VertexOnEdge>& list = found[block];
-        for (std::size_t v = from; v < to; ++v) {
-          if (!used[v]) continue;
-          const std::size_t before = list.size();
-          descend(bvh.tree, AroundPoint(bvh.tree.frame, vertices[v]), [&](std::uint32_t first, std::uint32_t count) {
-            for (std::uint32_t slot = first; slot < first + count; ++slot) {
-              const auto& t = triangles[slot];
-              if (names_a_vertex_twice(t)) continue;
-              for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-                if (a != v && b != v && is_strictly_between(vertices[a], vertices[v], vertices[b]))
-                  list.push_back({static_cast<std::uint32_t>(v), number_of_edge(edges, a, b)});
-              }
-            }
-          });
-          const auto of_vertex = list.begin() + static_cast<std::ptrdiff_t>(before);
-          std::sort(of_vertex, list.end());
-          list.erase(std::unique(of_vertex, list.end()), list.end());
-        }
-      });
-  return joined(found);
+  return vertices_by_edges(edges, bvh, 0, execution, is_strictly_between);
+}
+
+std::vector<VertexOnEdge> vertices_near_edges(const MeshEdges& edges, const Bvh& bvh, double length,
+                                              Execution execution) {
+  require_length("vertices_near_edges", length);
+  auto near = vertices_by_edges(edges, bvh, length, execution, [&](const Point3& a, const Point3& p, const Point3& b) {
+    return surface::runs_by(a, p, b, length);
+  });
+  std::erase_if(near, [&](const VertexOnEdge& on) {
+    return std::ranges::any_of(edges.uses_of(on.edge), [&](const EdgeUse& u) { return u.opposite == on.vertex; });
+  });
+  return near;
 }
 
 std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh, std::span<const std::uint32_t> first) {
@@ -152,8 +181,7 @@ std::vector<CoincidentTriangle> coincident_triangles(const TriangleMesh& mesh) {
 }
 
 std::vector<CloseVertex> close_vertices(const TriangleMesh& mesh, double length, Execution execution) {
-  if (!(length - length == 0)) throw NonFinite("close_vertices: the length is not a real number; give a finite one");
-  if (length < 0) throw InvalidShape("close_vertices: the length is negative; give one of at least 0");
+  require_length("close_vertices", length);
   const std::vector<std::uint32_t> first = first_equal(mesh.vertices);
   std::vector<bool> used(mesh.vertices.size());
   for (const auto& t : mesh.triangles)

@@ -55,6 +55,10 @@ std::vector<RepairStep> steps_of(const RepairSettings& settings) {
       throw Error("--only small-components needs a number; give it by '--smallest N'");
     steps.push_back({kind, settings.tolerance, settings.size, settings.chains ? WeldRule::chains : WeldRule::clusters,
                      settings.keep_turned ? TurnedOver::kept : TurnedOver::refused});
+    if (kind == RepairKind::t_junctions && is_asked(settings, RepairKind::zip))
+      steps.back().tolerance = 0;  // what is open is left to zip, and what is then near an edge comes behind it
+    if (kind == RepairKind::zip && is_asked(settings, RepairKind::t_junctions))
+      steps.push_back({RepairKind::t_junctions, settings.tolerance});
     if (kind == RepairKind::holes && is_asked(settings, RepairKind::walls))
       steps.push_back({RepairKind::walls});  // what is within a solid whose holes are filled
   }

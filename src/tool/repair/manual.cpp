@@ -30,7 +30,8 @@ slivers
        So are triangles of which a corner is within --tolerance of the
        opposite edge.
 t-junctions
-       Edges are divided where a vertex is exactly on them.
+       Edges are divided where a vertex is exactly on them; behind zip,
+       also where it is within --tolerance of them.
 zip    Open edges within --tolerance of each other are joined.
 duplicates
        Of triangles on the same three points one is left at most.

@@ -25,8 +25,10 @@ Command repair_command(CLI::App& program) {
       ->check(CLI::IsMember(step_names()))
       ->type_name("STEPS");
   parser
-      ->add_option("--tolerance", o.tolerance,
-                   "Weld vertices and zip open edges within LENGTH, in the file's unit; else vertices that are equal.")
+      ->add_option(
+          "--tolerance", o.tolerance,
+          "Weld vertices, zip open edges and divide edges at vertices within LENGTH, in the file's unit; else where "
+          "they are equal, or exactly on an edge.")
       ->check(CLI::NonNegativeNumber)
       ->type_name("LENGTH");
   parser->add_flag(

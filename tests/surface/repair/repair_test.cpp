@@ -234,6 +234,60 @@ TEST(Repair, CracksAreZippedWithinATolerance) {
   EXPECT_EQ(less.mesh.triangles, mesh.triangles);
 }
 
+TEST(Repair, AVertexByAClosedEdgeDividesBothItsTrianglesWithinATolerance) {
+  // The tip of a sheet that stands on the middle of a box's edge, but for 2^-10.
+  const double gap = std::ldexp(1, -10);
+  TriangleMesh mesh = solids::box({0, 0, 0}, {2, 2, 2});
+  solids::append(mesh, {{{1, -gap, 0}, {0.5, -1, -1}, {1.5, -1, -1}}, {{0, 1, 2}}});
+  ASSERT_EQ(mesh_statistics(mesh).boundary_edges, 3U);
+  const Repaired done = repair(mesh, {{RepairKind::t_junctions, gap}});
+  EXPECT_EQ(count(done, ChangeKind::divided_edge), 1U);
+  EXPECT_EQ(done.changes[0].count, 2U) << "both sides of the edge";
+  EXPECT_EQ(done.changes[0].place, (Point3{1, -gap, 0}));
+  EXPECT_EQ(done.mesh.vertices, mesh.vertices);
+  EXPECT_EQ(done.mesh.triangles.size(), mesh.triangles.size() + 2);
+  EXPECT_EQ(mesh_statistics(done.mesh).boundary_edges, 3U) << "no gap is opened";
+  EXPECT_EQ(repair(done.mesh, {{RepairKind::t_junctions, gap}}).mesh.triangles, done.mesh.triangles);
+  for (const RepairStep& less : {RepairStep{RepairKind::t_junctions, std::nextafter(gap, 0)},
+                                 RepairStep{RepairKind::t_junctions}, RepairStep{RepairKind::zip, gap}})
+    EXPECT_EQ(repair(mesh, {less}).mesh.triangles, mesh.triangles);
+}
+
+TEST(Repair, ASliverIsNoJunction) {
+  // The third corner of a triangle at the edge: to divide its neighbor alone would open a gap.
+  TriangleMesh mesh = solids::box({0, 0, 0}, {2, 2, 2});
+  const auto [a, b, c] = mesh.triangles[0];
+  const Point3 &p = mesh.vertices[a], &q = mesh.vertices[b];
+  const auto m = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back({(p.x + q.x) / 2 + 0x1p-9, (p.y + q.y) / 2 + 0x1p-9, (p.z + q.z) / 2 + 0x1p-9});
+  mesh.triangles[0] = {a, m, c};
+  mesh.triangles.insert(mesh.triangles.end(), {{m, b, c}, {a, b, m}});
+  const Repaired done = repair(mesh, {{RepairKind::t_junctions, 0.0625}});
+  EXPECT_EQ(done.mesh.triangles, mesh.triangles);
+  EXPECT_TRUE(done.changes.empty());
+}
+
+TEST(Repair, TJunctionsWithinAToleranceEndInASoup) {
+  std::size_t divided = 0, left = 0;
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    TriangleMesh mesh;
+    mesh.vertices.resize(5 + random() % 12);
+    for (Point3& p : mesh.vertices) p = {double(random() % 8), double(random() % 8), double(random() % 3)};
+    mesh.triangles.resize(1 + random() % 14);
+    for (auto& t : mesh.triangles)
+      for (auto& v : t) v = static_cast<std::uint32_t>(random() % mesh.vertices.size());
+    mesh = repair(mesh, {{RepairKind::weld}, {RepairKind::degenerate}, {RepairKind::unused}}).mesh;
+    const std::vector<RepairStep> steps{{RepairKind::t_junctions, 0.75}};
+    const Repaired done = repair(mesh, steps);
+    EXPECT_EQ(triangles_of(repair(shuffled(mesh, random), steps, {.execution = Execution::serial}).mesh),
+              triangles_of(done.mesh));
+    divided += count(done, ChangeKind::divided_edge), left += count(done, ChangeKind::kept_junction);
+  }
+  EXPECT_TRUE(divided > 40 && left > 0) << divided << " " << left;
+}
+
 TEST(Repair, RefusesWhatIsNone) {
   const TriangleMesh mesh = grid_box(1);
   EXPECT_THROW(repair(mesh, {{RepairKind::weld, -1}}), InvalidShape);

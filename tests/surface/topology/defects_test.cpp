@@ -80,10 +80,12 @@ TEST(Defects, CloseVerticesAreDecidedExactly) {
   EXPECT_THROW(close_vertices(mesh, std::nan("")), NonFinite);
   EXPECT_THROW(close_vertices(mesh, -1), InvalidShape);
   EXPECT_THROW(close_vertices({}, -1), InvalidShape);
+  EXPECT_THROW(vertices_near_edges(find_edges(mesh), build_bvh(mesh), std::nan("")), NonFinite);
+  EXPECT_THROW(vertices_near_edges(find_edges(mesh), build_bvh(mesh), -1), InvalidShape);
 }
 
 TEST(Defects, AreThoseOfBruteForce) {
-  std::size_t ties = 0, junctions = 0, doubles = 0, close = 0;
+  std::size_t ties = 0, junctions = 0, near_edges = 0, doubles = 0, close = 0;
   for (std::uint32_t seed = 35; seed < 335; ++seed) {
     std::mt19937 random(seed);
     TriangleMesh mesh;
@@ -105,7 +107,8 @@ TEST(Defects, AreThoseOfBruteForce) {
     };
 
     std::vector<std::uint32_t> tied;
-    std::vector<VertexOnEdge> on;
+    std::vector<VertexOnEdge> on, by;
+    const double length = std::array{0.0, 0.5, 1.0, 1.5}[seed % 4];
     for (std::uint32_t v = 0; v < at.size(); ++v) {
       std::vector<std::size_t> left;  // triangles at v that are not yet in a fan
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -128,10 +131,22 @@ TEST(Defects, AreThoseOfBruteForce) {
         const Point3 &a = at[edges.edges[e][0]], &b = at[edges.edges[e][1]];
         if (at[v] != a && at[v] != b && collinear(a, at[v], b) && are_ordered_along_line(a, at[v], b))
           on.push_back({v, e});
+        // Whole numbers, so that doubles are exact.
+        const auto minus = [](const Point3& p, const Point3& q) { return std::array{p.x - q.x, p.y - q.y, p.z - q.z}; };
+        const auto dot = [](const auto& p, const auto& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; };
+        const auto along = minus(b, a), to = minus(at[v], a);
+        const double foot = dot(to, along), whole = dot(along, along);
+        if (at[v] == a || at[v] == b || foot <= 0 || foot >= whole) continue;
+        if (dot(to, to) * whole - foot * foot > length * length * whole) continue;
+        const auto uses = edges.uses_of(e);
+        if (std::ranges::any_of(uses, [&](const EdgeUse& u) { return u.opposite == v; })) continue;
+        by.push_back({v, e});
       }
     }
     EXPECT_EQ(bow_ties(mesh), tied) << "seed " << seed;
     EXPECT_EQ(on_edges(mesh), on) << "seed " << seed;
+    EXPECT_EQ(vertices_near_edges(edges, build_bvh(mesh), length), by) << "seed " << seed;
+    near_edges += length == 0 ? 0 : by.size();
 
     std::vector<CoincidentTriangle> same;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -177,7 +192,8 @@ TEST(Defects, AreThoseOfBruteForce) {
     EXPECT_EQ(found_near, near) << "seed " << seed;
     ties += tied.size(), junctions += on.size(), doubles += same.size(), close += near.size();
   }
-  EXPECT_GT(std::min({ties, junctions, doubles, close}), 100U) << ties << " " << junctions << " " << doubles;
+  EXPECT_GT(std::min({ties, junctions, near_edges, doubles, close}), 100U)
+      << ties << " " << junctions << " " << near_edges << " " << doubles;
 }
 
 TEST(Defects, OfFilesOnWhichChecksFallShort) {

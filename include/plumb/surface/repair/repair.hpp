@@ -10,7 +10,8 @@
 // - degenerate: triangles that name a vertex twice, or whose corners are exactly on one line, are left out; the
 //   neighbor at the longest edge is divided at the corner on it, so that no gap is left.
 // - slivers: the same of triangles with a corner within the tolerance of the opposite edge, and between its ends.
-// - t_junctions: a triangle is divided where a vertex is exactly on its edge, until none is.
+// - t_junctions: triangles are divided where a vertex is exactly on their edge, until none is; then those at an edge,
+//   open or not, that a vertex is near to (defects.hpp), within the tolerance, as long as fewer are left by it.
 // - zip: open edges alone: their ends are welded within the tolerance, and those that run by an end of another within
 //   the tolerance are divided there, as long as edges are closed by it.
 // - duplicates: of triangles on the same three points at most one is left: of equal ones the first, of opposite ones that
@@ -80,15 +81,15 @@ std::string_view name_of(RepairKind kind);
 
 struct RepairStep {
   RepairKind kind;
-  double tolerance = 0;                                      // of weld, slivers, zip and merge_coplanar
+  double tolerance = 0;                                      // of weld, slivers, t_junctions, zip and merge_coplanar
   std::uint64_t size = 0;                                    // of small_components
   WeldRule rule = WeldRule::clusters;                        // of weld and zip
   TurnedOver turned_over = TurnedOver::refused;              // of weld and zip
   CollinearVertices collinear = CollinearVertices::dropped;  // of merge_coplanar
 };
 
-/// weld, degenerate, t_junctions, zip where there is a tolerance, duplicates, walls, orientation, holes, walls again (of
-/// solids that had holes), outward, split, unused.
+/// weld, degenerate, t_junctions, duplicates, walls, orientation, holes, walls again (of solids that had holes), outward,
+/// split, unused.  Where there is a tolerance, zip and t_junctions within it come before duplicates.
 std::vector<RepairStep> printable_solid(double tolerance = 0);
 
 enum class ChangeKind : unsigned char {
