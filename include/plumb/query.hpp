@@ -111,15 +111,16 @@
 #include "plumb/query/vclip/vclip.hpp"              // nearest features of polyhedra, from those of before
 
 // What does a ray hit first?  first_hit, hits, all_hits
-#include "plumb/certify/ray_parameter.hpp"  // a parameter as it is
-#include "plumb/query/ray/batch.hpp"        // of many triangles or boxes
-#include "plumb/query/ray/csg.hpp"          // of trees of solids
-#include "plumb/query/ray/hits.hpp"         // yes or no
-#include "plumb/query/ray/parity.hpp"       // is a point in a mesh?
-#include "plumb/query/ray/posed.hpp"        // figures and rays under poses
-#include "plumb/query/ray/ray.hpp"          // in space
-#include "plumb/query/ray/ray2.hpp"         // in the plane
-#include "plumb/query/ray/restated.hpp"     // slabs, boxes by width or by center
+#include "plumb/certify/ray_parameter.hpp"      // a parameter as it is
+#include "plumb/query/ray/batch.hpp"            // of many triangles or boxes
+#include "plumb/query/ray/csg.hpp"              // of trees of solids
+#include "plumb/query/ray/hit_barycentric.hpp"  // where in a triangle: u and v
+#include "plumb/query/ray/hits.hpp"             // yes or no
+#include "plumb/query/ray/parity.hpp"           // is a point in a mesh?
+#include "plumb/query/ray/posed.hpp"            // figures and rays under poses
+#include "plumb/query/ray/ray.hpp"              // in space
+#include "plumb/query/ray/ray2.hpp"             // in the plane
+#include "plumb/query/ray/restated.hpp"         // slabs, boxes by width or by center
 
 // When do they meet on their way?  first_contact
 #include "plumb/arith/root.hpp"                                // a time as it is

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "query/ray/hit_order.hpp"
+#include "query/ray/posed_barycentric.hpp"
 #include "query/ray/posed_triangle.hpp"
 
 namespace plumb::space {
@@ -114,6 +115,27 @@ std::vector<NumberedHit> OrderedHits::in_order(std::vector<NumberedHit> hits) {
     if (hits.empty() || hits.back().index != number(hit.slot)) hits.push_back(numbered(hit.slot));
   }
   return hits;
+}
+
+double PassedTriangles::visit(std::uint32_t slot, bool /*certain*/, double /*least*/, double /*most*/) {
+  slots_.push_back(slot);
+  return limit_;
+}
+std::optional<std::uint32_t> PassedTriangles::slot_of(std::uint32_t triangle) const {
+  const auto at = std::ranges::find(slots_, triangle, [&](std::uint32_t slot) { return number(slot); });
+  return at == slots_.end() ? std::nullopt : std::optional(*at);
+}
+std::optional<HitBarycentric> PassedTriangles::barycentric(std::uint32_t triangle) const {
+  const auto slot = slot_of(triangle);
+  if (!slot) return {};
+  return pose_ != nullptr ? query::hit_barycentric(*ray_, posed(*slot))
+                          : hit_barycentric(*ray_, triangles_.triangle(*slot));
+}
+std::optional<ExactHitBarycentric> PassedTriangles::exact_barycentric(std::uint32_t triangle) const {
+  const auto slot = slot_of(triangle);
+  if (!slot) return {};
+  return pose_ != nullptr ? query::exact_hit_barycentric(*ray_, posed(*slot))
+                          : exact_hit_barycentric(*ray_, triangles_.triangle(*slot));
 }
 
 }  // namespace plumb::space

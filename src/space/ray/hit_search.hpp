@@ -153,4 +153,18 @@ class OrderedHits final : public HitSearch {
   std::vector<SlotHit> all_;
 };
 
+/// A triangle by its number, where the ray may hit it.
+class PassedTriangles final : public HitSearch {
+ public:
+  using HitSearch::HitSearch;
+  double visit(std::uint32_t slot, bool certain, double least, double most) override;
+  [[nodiscard]] std::optional<HitBarycentric> barycentric(std::uint32_t triangle) const;
+  [[nodiscard]] std::optional<ExactHitBarycentric> exact_barycentric(std::uint32_t triangle) const;
+
+ private:
+  [[nodiscard]] std::optional<std::uint32_t> slot_of(std::uint32_t triangle) const;
+
+  std::vector<std::uint32_t> slots_;
+};
+
 }  // namespace plumb::space

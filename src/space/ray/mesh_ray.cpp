@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "query/ray/numbers.hpp"
+#include "query/ray/posed_barycentric.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/mesh_source.hpp"
 #include "space/bvh/parts.hpp"
+#include "space/bvh/slot_triangles.hpp"
 #include "space/ray/hit_search.hpp"
 #include "space/ray/packet_task.hpp"
 #include "space/ray/ray_order.hpp"
@@ -199,7 +201,7 @@ void search_all(const char* function, const MeshView& view, std::span<const AnyR
   });
 }
 
-using space::FirstHit, space::AnyHit, space::CountedHits, space::OrderedHits;
+using space::FirstHit, space::AnyHit, space::CountedHits, space::OrderedHits, space::PassedTriangles;
 
 constexpr auto first_of = [](const FirstHit& s) { return s.first(); };
 constexpr auto first_number_of = [](const FirstHit& s) { return s.first_number(); };
@@ -265,6 +267,44 @@ void hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::vec
 void count_hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::size_t> out,
                 const ManyRays& options) {
   search_all<CountedHits>("count_hits", mesh, rays, out, options, count_of);
+}
+
+std::optional<HitBarycentric> hit_barycentric(const MeshView& mesh, const AnyRay& ray, std::uint32_t triangle) {
+  return searched<PassedTriangles>("hit_barycentric", mesh, ray, HitRule::closed, nullptr,
+                                   [&](const PassedTriangles& s) { return s.barycentric(triangle); });
+}
+std::optional<ExactHitBarycentric> exact_hit_barycentric(const MeshView& mesh, const AnyRay& ray,
+                                                         std::uint32_t triangle) {
+  return searched<PassedTriangles>("exact_hit_barycentric", mesh, ray, HitRule::closed, nullptr,
+                                   [&](const PassedTriangles& s) { return s.exact_barycentric(triangle); });
+}
+void hit_barycentric(const MeshView& mesh, std::span<const AnyRay> rays, std::span<const std::uint32_t> triangles,
+                     std::span<std::optional<HitBarycentric>> out, Execution execution) {
+  constexpr const char* function = "hit_barycentric";
+  space::require_equal_lengths(function, "triangles", triangles.size(), "rays", rays.size());
+  space::require_equal_lengths(function, "out", out.size(), "rays", rays.size());
+  space::with_source(function, "mesh", mesh, [&]<class Source>(const Source& source) {
+    const auto& bvh = space::mesh_of(source);
+    const space::SlotTriangles in_slots(bvh);
+    // A descent takes as long as some hundreds of slots do in a pass.
+    const bool are_many = rays.size() >= bvh.slots() / 256;
+    const std::vector<std::uint32_t> slots = are_many ? space::slots_of(bvh) : std::vector<std::uint32_t>();
+    const auto answer = [&](std::size_t i) -> std::optional<HitBarycentric> {
+      if (!query::is_sound(rays[i])) query::require_ray(function, rays[i]);
+      if (triangles[i] == no_triangle) return {};
+      if (!are_many) return hit_barycentric(mesh, rays[i], triangles[i]);
+      if (triangles[i] >= slots.size()) return {};
+      const std::size_t slot = slots[triangles[i]];
+      if constexpr (space::is_posed_source<Source>) {
+        return query::hit_barycentric(rays[i], PosedTriangle{in_slots.triangle(slot), source.pose});
+      } else {
+        return query::hit_barycentric(rays[i], query::standing(in_slots.triangle(slot)));
+      }
+    };
+    space::for_blocks(execution, rays.size(), 256, [&](std::size_t, std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) out[i] = answer(i);
+    });
+  });
 }
 
 }  // namespace plumb

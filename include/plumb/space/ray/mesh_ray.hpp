@@ -6,6 +6,7 @@
 //   if (any_hit({bvh, pose}, Segment3{eye, lamp})) ...                 // of a mesh that has been moved
 //   first_hit(bvh, ray, {.least = 0.25, .most = 8, .skip = left})      // nearer, farther and left triangles aside
 //   first_triangle(bvh, rays, out);                                    // many rays, on all threads
+//   hit_barycentric(bvh, ray, hit->index)                              // u and v of a hit, for who asks
 //
 // Laws: (1) the answers are those of first_hit and hits (query/ray/ray.hpp, query/ray/hits.hpp) asked of each triangle.
 // (2) The first hit is that of the least exact parameter, and of equal ones that of the lowest number in the mesh;
@@ -15,14 +16,17 @@
 // answers are those of the exact images (space/bvh/posed_mesh.hpp): a closed mesh stays closed, and nothing slips through
 // it.  Numbers of a Hit are rounded once; they are infinite beyond the largest double.  (6) With limits the hits are those
 // that hits has without, but for those whose exact parameter is below the least or above the most, and those of the
-// triangles to skip: a ray that begins on a triangle leaves it by its number, and by no least distance.
+// triangles to skip: a ray that begins on a triangle leaves it by its number, and by no least distance.  (7) u and v are
+// those of query/ray/hit_barycentric.hpp; there are none of a triangle that the ray does not hit.
 // No triangles, no hits.  A span of another length than the rays throws UnequalLengths, a ray that is NaN or infinite
 // NonFinite, and so does a limit that is NaN; `out` may have been written to by then.  progress may stop a batch.
 // Source: RTCD 3.2, 4.2.6, 5.3.6, 6.3.2, 6.6.7.
 // Cost: the descent, by the wide form of the tree; many rays by turns, twice as fast where the mesh is larger than the
 // caches, and sixteen that go the same way, as a camera's, as one: a third to a half of the time; 0.2 us more for the
 // numbers of a Hit, which first_triangle does without.  Under a pose a microsecond more, half of it once for many rays;
-// where it flattens the mesh some 100 ns for each node that is looked at, and 300 ns for each triangle.  Of limits the most
+// where it flattens the mesh some 100 ns for each node that is looked at, and 300 ns for each triangle.  u and v take a
+// descent to find the triangle by its number, and what hit_barycentric takes; of rays that are many for the mesh a pass
+// over its triangles, and no descent.  Of limits the most
 // leaves out what is farther; each hit is looked up in what is to skip, one after the other.  Bounded by n
 // tests of triangles a ray, on integers as long as the exponents' span.
 #pragma once
@@ -36,6 +40,7 @@
 
 #include "plumb/certify/batch.hpp"
 #include "plumb/query/ray/batch.hpp"
+#include "plumb/query/ray/hit_barycentric.hpp"
 #include "plumb/space/bvh/mesh_view.hpp"
 #include "plumb/space/bvh/progress.hpp"
 
@@ -90,5 +95,13 @@ void hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::vec
           const ManyRays& options = {});
 void count_hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::size_t> out,
                 const ManyRays& options = {});
+
+/// Where in a triangle of the mesh, by its number, the ray hits it.
+std::optional<HitBarycentric> hit_barycentric(const MeshView& mesh, const AnyRay& ray, std::uint32_t triangle);
+std::optional<ExactHitBarycentric> exact_hit_barycentric(const MeshView& mesh, const AnyRay& ray,
+                                                         std::uint32_t triangle);
+/// Of each ray in a triangle of its own, such as first_triangle tells; nothing of no_triangle.
+void hit_barycentric(const MeshView& mesh, std::span<const AnyRay> rays, std::span<const std::uint32_t> triangles,
+                     std::span<std::optional<HitBarycentric>> out, Execution execution = Execution::parallel);
 
 }  // namespace plumb
