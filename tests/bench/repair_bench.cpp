@@ -65,6 +65,18 @@ void weld_and_half_edges_plain(benchmark::State& state) {
   }
 }
 
+/// Points in one ball as wide as the tolerance, or in balls with some ten each.
+void weld_cloud(benchmark::State& state, WeldRule rule, double width) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> along(-1, 1);
+  TriangleMesh cloud;
+  while (std::ssize(cloud.vertices) < state.range(0)) {
+    const Point3 p{along(random), along(random), along(random)};
+    if (std::hypot(p.x, p.y, p.z) <= 1) cloud.vertices.push_back({p.x * width, p.y * width, p.z * width});
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(find_weld(cloud, {.tolerance = 1, .rule = rule}).into.data());
+}
+
 void components(benchmark::State& state, JoinedOver over) {
   const TriangleMesh mesh = ring(state);
   const MeshEdges edges = find_edges(mesh);
@@ -126,6 +138,10 @@ void mend(benchmark::State& state) {
 
 BENCHMARK(weld_and_half_edges)->Arg(100'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(weld_and_half_edges_plain)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(weld_cloud, dense_clusters, WeldRule::clusters, 0.5)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(weld_cloud, dense_chains, WeldRule::chains, 0.5)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(weld_cloud, loose_clusters, WeldRule::clusters, 10)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(weld_cloud, loose_chains, WeldRule::chains, 10)->Arg(100'000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(components, vertices, JoinedOver::vertices)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(components, edges, JoinedOver::edges)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(loops)->Arg(1'000'000)->Unit(benchmark::kMillisecond);

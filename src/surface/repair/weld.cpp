@@ -1,16 +1,16 @@
 #include "plumb/surface/repair/weld.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "figure/basic/mesh_input.hpp"
 #include "plumb/certify/compare_distance.hpp"
 #include "plumb/figure/basic/equal_points.hpp"
-#include "plumb/space/kd_tree/point_range.hpp"
 #include "plumb/surface/topology/topology.hpp"
+#include "surface/repair/marked_points.hpp"
 #include "surface/repair/moved.hpp"
 #include "surface/repair/point_order.hpp"
 #include "surface/repair/weld_groups.hpp"
-#include "surface/topology/disjoint_sets.hpp"
 #include "surface/topology/mesh_corner.hpp"
 
 namespace plumb {
@@ -35,40 +35,82 @@ Places places_of(std::span<const Point3> points, std::span<const std::uint32_t> 
   return places;
 }
 
-/// Of each place the least place of its group.
-std::vector<std::uint32_t> chain_groups(const Places& places, const KdTree3& tree, const WeldOptions& options) {
-  DisjointSets sets(places.points.size());
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t i = 0; i < places.points.size(); ++i) {
-    near = within(tree, places.points[i], options.tolerance, std::move(near));
-    for (const std::uint32_t k : near) sets.unite(i, k);
+/// The points of one cluster, so far.
+class Cluster {
+ public:
+  /// Those that may join.
+  Cluster(std::span<const Point3> near, double tolerance) : near_(near), tolerance_(tolerance) {
+    if (near.size() > few) joined_.emplace(near, Execution::serial);
   }
-  std::vector<std::uint32_t> least(places.points.size());
-  for (std::uint32_t i = 0; i < least.size(); ++i) least[i] = sets.find(i);
+  /// Does the point join, which is within the tolerance of all that have?
+  bool joins(std::uint32_t k) {
+    if (joined_) {
+      if (joined_->any_beyond(near_[k], tolerance_)) return false;
+      joined_->mark(k);
+      return true;
+    }
+    for (const std::uint32_t other : members_)
+      if (compare_distance(near_[k], near_[other], tolerance_) == Sign::positive) return false;
+    members_.push_back(k);
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t few = 32;  // all pairs are quicker than a tree
+  std::span<const Point3> near_;
+  double tolerance_;
+  std::vector<std::uint32_t> members_;
+  std::optional<MarkedPoints> joined_;
+};
+
+/// Those that are free and within the tolerance of the place, which itself is not.
+void find_free(const Places& places, const MarkedPoints& free, std::uint32_t place, double tolerance,
+               std::vector<std::uint32_t>& near) {
+  near.clear();
+  free.add_within(places.points[place], tolerance, near);
+}
+
+/// Of each place the least place of its group: what is reached from it, step by step.
+std::vector<std::uint32_t> chain_groups(const Places& places, MarkedPoints& free, const WeldOptions& options) {
+  std::vector<std::uint32_t> least(places.points.size(), no_group), near, reached;
+  for (std::uint32_t i = 0; i < least.size(); ++i) {
+    if (least[i] != no_group) continue;
+    const auto reach = [&](std::uint32_t k) {
+      free.unmark(k);
+      least[k] = i;
+      reached.push_back(k);
+    };
+    reach(i);
+    while (!reached.empty()) {
+      const std::uint32_t from = reached.back();
+      reached.pop_back();
+      find_free(places, free, from, options.tolerance, near);
+      for (const std::uint32_t k : near) reach(k);
+    }
+  }
   return least;
 }
 
-std::vector<std::uint32_t> cluster_groups(const Places& places, const KdTree3& tree, const WeldOptions& options) {
+std::vector<std::uint32_t> cluster_groups(const Places& places, MarkedPoints& free, const WeldOptions& options) {
   const auto& at = places.points;
-  constexpr std::uint32_t free = no_group;
-  std::vector<std::uint32_t> least(at.size(), free), near, group;
+  std::vector<std::uint32_t> least(at.size(), no_group), near;
+  std::vector<Point3> points;
   for (std::uint32_t i = 0; i < at.size(); ++i) {
-    if (least[i] != free) continue;
+    if (least[i] != no_group) continue;
     least[i] = i;
-    near = within(tree, at[i], options.tolerance, std::move(near));
-    std::erase_if(near, [&](std::uint32_t k) { return least[k] != free; });
+    free.unmark(i);
+    find_free(places, free, i, options.tolerance, near);
     std::ranges::sort(near, [&](std::uint32_t l, std::uint32_t r) {
       const Sign nearer = compare_distance(at[i], at[l], at[r]);
       return nearer != Sign::zero ? nearer == Sign::negative : l < r;
     });
-    group.assign(1, i);
-    for (const std::uint32_t k : near) {
-      const auto reaches = [&](std::uint32_t other) {
-        return compare_distance(at[k], at[other], options.tolerance) != Sign::positive;
-      };
-      if (!std::all_of(group.begin() + 1, group.end(), reaches)) continue;
-      least[k] = i;
-      group.push_back(k);
+    points.clear();
+    for (const std::uint32_t k : near) points.push_back(at[k]);
+    Cluster cluster(points, options.tolerance);
+    for (std::uint32_t k = 0; k < near.size(); ++k) {
+      if (!cluster.joins(k)) continue;
+      least[near[k]] = i;
+      free.unmark(near[k]);
     }
   }
   return least;
@@ -82,9 +124,10 @@ std::vector<std::uint32_t> weld_groups(std::span<const Point3> points, std::span
   if (options.tolerance == 0) return into;
   const Places places = places_of(points, first, among);
   if (places.points.size() < 2) return into;
-  const KdTree3 tree = build_kd_tree(places.points, {.execution = options.execution});
+  MarkedPoints free(places.points, options.execution);
+  for (std::uint32_t i = 0; i < places.points.size(); ++i) free.mark(i);
   const std::vector<std::uint32_t> least =
-      options.rule == WeldRule::chains ? chain_groups(places, tree, options) : cluster_groups(places, tree, options);
+      options.rule == WeldRule::chains ? chain_groups(places, free, options) : cluster_groups(places, free, options);
   for (std::size_t i = 0; i < least.size(); ++i) into[places.vertex[i]] = places.vertex[least[i]];
   for (std::size_t v = 0; v < into.size(); ++v)
     if (first[v] != v) into[v] = into[first[v]];

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "figure/basic/solids.hpp"
 #include "plumb/arith/error.hpp"
@@ -147,6 +148,64 @@ TEST(Weld, HangsOnNoOrderAndKeepsItsLaws) {
     EXPECT_EQ(welded(mesh, weld).triangles.size() + weld.collapsed.size(), mesh.triangles.size());
   }
   EXPECT_TRUE(merged > 500 && refused > 5 && apart > 500) << merged << " " << refused << " " << apart;
+}
+
+/// The clusters by their definition, over all pairs.
+std::vector<std::uint32_t> plain_clusters(const std::vector<Point3>& points, double tolerance) {
+  const auto before = [](const Point3& p, const Point3& q) {
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  };
+  std::vector<std::uint32_t> order(points.size()), into(points.size(), 0xffffffff);
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::sort(order, [&](std::uint32_t l, std::uint32_t r) { return before(points[l], points[r]); });
+  const auto reaches = [&](std::uint32_t l, std::uint32_t r) {
+    return compare_distance(points[l], points[r], tolerance) != Sign::positive;
+  };
+  for (const std::uint32_t least : order) {
+    if (into[least] != 0xffffffff) continue;
+    std::vector<std::uint32_t> near, group{least};
+    for (const std::uint32_t k : order)
+      if (k != least && into[k] == 0xffffffff && reaches(least, k)) near.push_back(k);
+    std::ranges::stable_sort(near, [&](std::uint32_t l, std::uint32_t r) {
+      return compare_distance(points[least], points[l], points[r]) == Sign::negative;
+    });
+    for (const std::uint32_t k : near)
+      if (std::ranges::all_of(group, [&](std::uint32_t other) { return reaches(k, other); })) group.push_back(k);
+    for (const std::uint32_t k : group) into[k] = least;
+  }
+  return into;
+}
+
+TEST(Weld, DenseClustersAreThoseOfTheirDefinition) {
+  std::size_t groups_found = 0, refused = 0;
+  for (std::uint32_t seed = 0; seed < 24; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::set<std::array<double, 3>> places;  // many at exactly the tolerance, as a grid has them
+    const unsigned wide = 6 + seed % 9;
+    while (places.size() < 80 + 20 * (seed % 12) && places.size() < wide * wide * (seed % 2 == 0 ? 1 : wide))
+      places.insert({double(random() % wide), double(random() % wide), seed % 2 == 0 ? 0 : double(random() % wide)});
+    std::vector<Point3> points;
+    for (const auto& [x, y, z] : places) points.push_back({x, y, z});
+    std::ranges::shuffle(points, random);
+    const double tolerance = std::array{5.0, 3.0, std::sqrt(18.0), 100.0}[seed / 2 % 4];
+    const std::vector<std::uint32_t> into = groups(points_alone(points), tolerance, WeldRule::clusters);
+    EXPECT_EQ(into, plain_clusters(points, tolerance));
+    for (std::uint32_t v = 0; v < into.size(); ++v) groups_found += into[v] == v, refused += into[v] != into[0];
+  }
+  EXPECT_TRUE(groups_found > 60 && refused > 400) << groups_found << " " << refused;
+}
+
+TEST(Weld, AHundredThousandPointsWithinTheToleranceOfEachOtherAreOneSoon) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> along(-0.25, 0.25);
+  std::vector<Point3> points(100'000);
+  for (Point3& p : points) p = {along(random), along(random), along(random)};
+  const auto least = std::ranges::min_element(
+      points, [](const Point3& p, const Point3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
+  const std::vector<std::uint32_t> one(points.size(), static_cast<std::uint32_t>(least - points.begin()));
+  for (const WeldRule rule : {WeldRule::clusters, WeldRule::chains})  // all pairs would take minutes
+    EXPECT_EQ(groups(points_alone(points), 1, rule), one);
 }
 
 TEST(Weld, ASoupBecomesTheSolidThatItWas) {

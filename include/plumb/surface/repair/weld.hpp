@@ -17,8 +17,10 @@
 // are welded as well.
 // A tolerance that is NaN or infinite throws NonFinite, a negative one InvalidShape; so do meshes that are none.
 // Source: RTCD 12.1.
-// Cost: linear, but for equal points, where the tolerance is 0; else a k-d tree and a range search for each point, and
-// for clusters all pairs of a group.  Bounded by n^2 log n operations, on integers as long as the exponents' span.
+// Cost: linear, but for equal points, where the tolerance is 0; else a k-d tree and a range search for each point that
+// passes over what is in a group, and for clusters a search of the group so far, by boxes, for what is beyond reach.
+// Near n log n however dense the points; farther where most pairs are all but as far apart as the tolerance.  Bounded by
+// n^2 log n operations, on integers as long as the exponents' span.
 #pragma once
 
 #include <cstdint>
