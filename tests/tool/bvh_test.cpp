@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "figure/basic/solids.hpp"
+#include "plumb/space/bvh/tree_file.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
 #include "tool/bvh/command.hpp"
 #include "tool/matchers.hpp"
@@ -181,6 +182,77 @@ TEST(BvhDrawing, ReplacesNoFileUnasked) {
   EXPECT_THAT(run(at + "torus.obj --svg").out, StartsWith("<svg"));
 }
 
+// The tree is the library's; each command that takes it answers as without it.
+TEST(BvhCommand, KeepsATreeForOtherCommands) {
+  const Folder folder;
+  const std::string at = in(folder), program = "cd " + (folder / "") + " && $PLUMB ";
+  EXPECT_EQ(run(at + "--method sweep --split-share 0.5 --out torus.bvh torus.obj").code, 0);
+  const TriangleMesh mesh = solids::torus(4, 1, 40, 20);
+  EXPECT_EQ(content(folder / "torus.bvh"),
+            bvh_bytes(build_bvh(mesh, {.method = BvhMethod::sweep, .split_share = 0.5F})));
+  EXPECT_EQ(run(at + "--method sweep --split-share 0.5 --out - torus.obj").out, content(folder / "torus.bvh"));
+  for (const char* question : {"ray --all --ray 9,0.5,0.1,-1,0,0 --ray 9,9,9,1,0,0",
+                               "closest --point 9,1,2 --point 0,0,0", "inside --point 4,0,0 --point 0,0,0"}) {
+    const Outcome built = run(program + question + " torus.obj"),
+                  kept = run(program + question + " --tree torus.bvh torus.obj");
+    EXPECT_EQ(kept.code, 0) << kept.err;
+    EXPECT_EQ(kept.out, built.out) << question;
+  }
+}
+
+TEST(BvhCommand, ReplacesNoTreeUnasked) {
+  const Folder folder;
+  const std::string at = in(folder);
+  std::ofstream(folder / "torus.bvh") << "precious";
+  const Outcome there = run(at + "--out torus.bvh torus.obj");
+  EXPECT_EQ(there.code, 2);
+  EXPECT_THAT(there.err, HasSubstr("--out: torus.bvh is there already and is kept"));
+  EXPECT_EQ(content(folder / "torus.bvh"), "precious");
+  EXPECT_EQ(run(at + "--out torus.bvh --overwrite torus.obj").code, 0);
+  EXPECT_THAT(content(folder / "torus.bvh"), StartsWith("plumbbvh"));
+}
+
+// A tree of another mesh, of a moved copy, of fewer triangles; a file that is cut off, changed, or none.
+TEST(BvhCommand, TreesThatAreNotOfTheMeshAreRefused) {
+  const Folder folder;
+  const std::string at = in(folder), program = "cd " + (folder / "") + " && $PLUMB ";
+  ASSERT_EQ(run(at + "--out torus.bvh torus.obj").code, 0);
+  const std::string bytes = content(folder / "torus.bvh");
+  const auto keep = [&](const std::string& name, const std::string& what) { std::ofstream(folder / name) << what; };
+  keep("cut.bvh", bytes.substr(0, bytes.size() - 5));
+  keep("short.bvh", bytes.substr(0, 20));
+  std::string changed = bytes;
+  changed[bytes.size() / 2] = static_cast<char>(changed[bytes.size() / 2] ^ 4);
+  keep("changed.bvh", changed);
+  TriangleMesh moved = solids::torus(4, 1, 40, 20), fewer = moved;
+  moved.vertices[7].x += 1;
+  fewer.triangles.pop_back();
+  keep("moved.bvh", bvh_bytes(build_bvh(moved)));
+  keep("fewer.bvh", bvh_bytes(build_bvh(fewer)));
+  keep("compact.bvh", "plumbcmp" + bytes.substr(8));
+  const std::pair<const char*, const char*> refusals[] = {
+      {"cut.bvh", "cut.bvh: "},
+      {"short.bvh", "short.bvh: "},
+      {"changed.bvh", "changed.bvh: "},
+      {"compact.bvh", "compact.bvh: "},
+      {"none.bvh", "none.bvh: "},
+      {"torus.obj", "torus.obj: "},
+      {"-", "--tree: a tree is read from a file"},
+      {"moved.bvh", "--tree: moved.bvh is the tree of another mesh than torus.obj"},
+      {"fewer.bvh", "--tree: fewer.bvh is the tree of another mesh than torus.obj"}};
+  for (const auto& [file, words] : refusals) {
+    for (const char* question : {"ray --ray 9,0.5,0.1,-1,0,0", "closest --point 9,1,2", "inside --point 4,0,0"}) {
+      const Outcome o = run(program + question + " --tree " + file + " torus.obj");
+      EXPECT_EQ(o.code, 2) << file;
+      EXPECT_EQ(o.out, "") << file;
+      EXPECT_THAT(o.err, AllOf(StartsWith("plumb: "), HasSubstr(words))) << file;
+    }
+  }
+  const Outcome o = run(program + "ray --ray 9,0,0,-1,0,0 --tree torus.bvh --json torus.bvh torus.obj");
+  EXPECT_EQ(o.code, 2);
+  EXPECT_EQ(content(folder / "torus.bvh"), bytes);
+}
+
 TEST(BvhCommand, RefusesWhatItCannotDo) {
   const Folder folder;
   const std::string at = in(folder);
@@ -193,6 +265,8 @@ TEST(BvhCommand, RefusesWhatItCannotDo) {
       {"--split-share 17 torus.obj", "--split-share"},
       {"--split-share nan torus.obj", "split_share"},
       {"--method all --svg t.svg torus.obj", "--svg draws one tree"},
+      {"--method all --out t.bvh torus.obj", "--out keeps one tree"},
+      {"--out t.obj torus.obj", "is the name of a mesh"},
       {"--svg t.obj torus.obj", "is the name of a mesh"},
       {"--svg torus.obj", "torus.obj"},
       {"--json no/t.json torus.obj", "no/t.json"}};

@@ -116,13 +116,17 @@ FileBytes map_file(const std::string& path) {
   return {{static_cast<const std::byte*>(at), size}, std::make_shared<const Mapping>(at, size)};
 }
 
-void write_file(const std::string& path, std::span<std::byte, head_size> head,
-                std::span<const std::span<const std::byte>> arrays) {
+void seal(std::span<std::byte, head_size> head, std::span<const std::span<const std::byte>> arrays) {
   Checksum checksum;
   checksum.add(head.first(checksum_at));
   for (const auto& bytes : arrays) checksum.add(bytes);
   const std::uint64_t value = checksum.value();
   std::memcpy(head.data() + checksum_at, &value, sizeof value);
+}
+
+void write_file(const std::string& path, std::span<std::byte, head_size> head,
+                std::span<const std::span<const std::byte>> arrays) {
+  seal(head, arrays);
   const std::string part = path + ".part";
   std::ofstream out(part, std::ios::binary | std::ios::trunc);
   const auto put = [&](std::span<const std::byte> bytes) {

@@ -93,6 +93,9 @@ class Checksum {
   std::uint32_t crc_ = 0, adler_ = 1;
 };
 
+/// Fills the checksum in.
+void seal(std::span<std::byte, head_size> head, std::span<const std::span<const std::byte>> arrays);
+
 /// Writes the head, with the checksum filled in, and the arrays behind it.
 void write_file(const std::string& path, std::span<std::byte, head_size> head,
                 std::span<const std::span<const std::byte>> arrays);

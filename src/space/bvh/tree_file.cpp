@@ -38,20 +38,39 @@ TreeHead tree_head_of(const std::string& path, std::span<const std::byte> bytes)
   return head;
 }
 
-}  // namespace
-}  // namespace space
-
-void write_bvh(const std::string& path, const Bvh& bvh) {
-  space::TreeHead head{};
-  head.opening = space::opening_of(space::tree_kind);
+/// f(head, arrays): what a file holds, but for the checksum.
+template <class F>
+void with_file_parts(const Bvh& bvh, const F& f) {
+  TreeHead head{};
+  head.opening = opening_of(tree_kind);
   head.exponent = bvh.tree.frame.exponent();
   head.nodes = bvh.tree.nodes.size();
   head.vertices = bvh.vertices.size();
   head.slots = bvh.triangles.size();
-  head.length = space::length_of(head);
+  head.length = length_of(head);
   const std::array arrays{std::as_bytes(bvh.tree.nodes.view()), std::as_bytes(bvh.vertices.view()),
                           std::as_bytes(bvh.triangles.view()), std::as_bytes(bvh.tree.items.view())};
-  space::write_file(path, std::as_writable_bytes(std::span<space::TreeHead, 1>(&head, 1)), arrays);
+  f(std::as_writable_bytes(std::span<TreeHead, 1>(&head, 1)), std::span(arrays));
+}
+
+}  // namespace
+}  // namespace space
+
+void write_bvh(const std::string& path, const Bvh& bvh) {
+  space::with_file_parts(bvh, [&](auto head, auto arrays) { space::write_file(path, head, arrays); });
+}
+
+std::string bvh_bytes(const Bvh& bvh) {
+  std::string all;
+  space::with_file_parts(bvh, [&](auto head, auto arrays) {
+    space::seal(head, arrays);
+    const auto add = [&](std::span<const std::byte> bytes) {
+      all.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    };
+    add(head);
+    for (const auto& bytes : arrays) add(bytes);
+  });
+  return all;
 }
 
 Bvh map_bvh(const std::string& path) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
+#include "plumb/space/bvh/tree_file.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/number_text.hpp"
 #include "tool/terminal/origin.hpp"
@@ -123,15 +124,18 @@ int run_bvh(const BvhArguments& arguments) {
   OutputFiles outputs(arguments.meshes.words);
   outputs.promise("--json", arguments.json);
   outputs.promise_unless_there("--svg", arguments.svg, arguments.overwrite);
+  outputs.promise_unless_there("--out", arguments.out, arguments.overwrite);
   if (arguments.meshes.words.size() != 1) throw Error("bvh: one MESH is needed; 'plumb bvh --help' explains");
   if (arguments.all() && arguments.svg) throw Error("bvh: --svg draws one tree; name one --method");
+  if (arguments.all() && arguments.out) throw Error("bvh: --out keeps one tree; name one --method");
   const BvhReport report = bvh_report(arguments, std::move(read_asked_meshes(arguments.meshes, outputs).front()));
   if (!outputs.on_standard_output()) say(bvh_text(report, Style(stdout)));
   if (arguments.json) outputs.write("--json", json_text(bvh_json(report)));
-  if (arguments.svg) {
+  if (arguments.svg || arguments.out) {
     const BvhMethod method = method_of(arguments.method);
     const Bvh bvh = build_bvh(report.mesh.mesh, {.method = method, .split_share = arguments.split_share});
-    outputs.write("--svg", tree_svg(report.mesh.name, bvh.tree, method));
+    if (arguments.svg) outputs.write("--svg", tree_svg(report.mesh.name, bvh.tree, method));
+    if (arguments.out) outputs.write("--out", bvh_bytes(bvh));
   }
   outputs.keep();
   return 0;

@@ -1,7 +1,8 @@
 // `plumb bvh`: which tree of boxes do the builders make of this mesh, and what does it cost to be asked?
 //
 // Laws: (1) everything but the times depends on the mesh and the methods alone.  (2) The levels of a tree sum up to its
-// cost_of.  (3) Text and JSON hold the same trees.  (4) The picture replaces no file, unless that is asked for.
+// cost_of.  (3) Text and JSON hold the same trees.  (4) The picture and the tree that is kept replace no file,
+// unless that is asked for.
 // Source: RTCD 6.1.2, 6.2; plumb/space/bvh/tree_cost.hpp.
 // Cost: up to three builds with each method, so that one that a machine was slow in does not count.
 #pragma once
@@ -25,8 +26,8 @@ std::string word_of(BvhMethod method);
 struct BvhArguments {
   MeshArguments meshes;  // one file
   std::string method = "binned";
-  float split_share = 0;                 // as BvhOptions has it
-  std::optional<std::string> json, svg;  // "-" is standard output
+  float split_share = 0;                      // as BvhOptions has it
+  std::optional<std::string> json, svg, out;  // "-" is standard output
   bool overwrite = false;
 
   [[nodiscard]] bool all() const { return method == "all"; }

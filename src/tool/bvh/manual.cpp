@@ -25,7 +25,12 @@ long and lie across the axes; elsewhere it costs memory.
 
 --svg draws the tree: for some depths the boxes that hold the mesh
 there, seen along its shortest axis, and a bar for the cost of each
-depth. Boxes that overlap cost both.)"},
+depth. Boxes that overlap cost both.
+
+--out keeps the tree in a file. `plumb ray`, `plumb closest` and
+`plumb inside` take it by --tree, beside the mesh that it is of, and
+build none. What is no whole tree, or that of another mesh, they
+refuse.)"},
            {"METHODS", R"(
 binned
        From the top, the surface-area heuristic over bins.
@@ -56,7 +61,10 @@ plumb bvh --split-share 0.2 needles.stl
        What dividing long triangles gains.
 
 plumb bvh --method linear --svg tree.svg part.stl
-       One tree, drawn.)"}}};
+       One tree, drawn.
+
+plumb bvh --out part.bvh part.stl
+       A tree that is kept, for plumb ray --tree part.bvh.)"}}};
 }
 
 }  // namespace plumb::tool

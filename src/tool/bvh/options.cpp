@@ -23,7 +23,8 @@ Command bvh_command(CLI::App& program) {
       ->type_name("X");
   add_output(parser, "--json", o.json, "Write the numbers as JSON");
   add_output(parser, "--svg", o.svg, "Draw the boxes at some depths, and what each depth costs, as SVG");
-  parser->add_flag("--overwrite", o.overwrite, "Replace the file of --svg where it is there.");
+  add_output(parser, "--out", o.out, "Keep the tree in a file, for --tree of the commands that ask it");
+  parser->add_flag("--overwrite", o.overwrite, "Replace the files of --svg and --out where they are there.");
   return {parser, bvh_manual, [options] { return run_bvh(*options); }, &o.meshes.words};
 }
 

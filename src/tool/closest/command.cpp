@@ -8,6 +8,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/thread_limit.hpp"
 #include "space/bvh/parts.hpp"
+#include "tool/mesh/asked_tree.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/decimal_range.hpp"
 #include "tool/terminal/json_text.hpp"
@@ -39,7 +40,7 @@ ClosestReport closest_report(const ClosestCommandOptions& options, const OutputF
     mesh.words.pop_back();
   }
   report.mesh = std::move(read_asked_meshes(mesh, outputs).front());
-  const Bvh bvh = build_bvh(report.mesh.mesh);
+  const Bvh bvh = asked_tree(report.mesh, options.tree);
   const double most = report.radius.value_or(std::numeric_limits<double>::infinity());
   report.found.resize(report.points.size());
   Progress bar("closest", report.points.size());
@@ -113,8 +114,10 @@ nlohmann::json closest_json(const ClosestReport& report) {
 
 int run_closest(const ClosestCommandOptions& options) {
   const std::vector<std::string>& files = options.files.words;
-  require_input_once(files);
-  OutputFiles outputs(files);
+  std::vector<std::string> read = files;
+  if (options.tree) read.push_back(*options.tree);
+  require_input_once(read);
+  OutputFiles outputs(read);
   outputs.promise("--json", options.json);
   promise_obj(outputs, options.obj);
   if (files.empty() || files.size() > 2)

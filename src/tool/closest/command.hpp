@@ -23,6 +23,7 @@ struct ClosestCommandOptions {
   MeshArguments files;                // a mesh, and where there is a second, a table of points
   std::vector<std::string> points;    // three numbers each
   std::optional<std::string> within;  // a decimal
+  std::optional<std::string> tree;    // of the mesh, kept from before
   bool all = false;                   // list every answer
   unsigned threads = 0;
   std::optional<std::string> json;  // "-" is standard output

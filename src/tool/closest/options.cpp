@@ -14,6 +14,7 @@ Command closest_command(CLI::App& program) {
       ->allow_extra_args(false)
       ->type_name("X,Y,Z");
   parser->add_option("--within", o.within, "Say nothing of what is farther away than this.")->type_name("RADIUS");
+  add_tree(parser, o.tree);
   parser->add_flag("--all", o.all, "List every point; without this option, the first ten.");
   add_threads(parser, o.threads);
   add_output(parser, "--json", o.json, "Write the answers as JSON");

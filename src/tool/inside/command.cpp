@@ -8,6 +8,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/query/ray/parity.hpp"
 #include "plumb/space/ray/inside.hpp"
+#include "tool/mesh/asked_tree.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/number_text.hpp"
@@ -31,7 +32,7 @@ InsideReport inside_report(const InsideOptions& options, const OutputFiles& outp
   }
   report.mesh = std::move(read_asked_meshes(options.meshes, outputs).front());
   report.oriented = is_oriented_closed(report.mesh.mesh);
-  const Bvh bvh = build_bvh(report.mesh.mesh);
+  const Bvh bvh = asked_tree(report.mesh, options.tree);
   std::vector<Point3> points;
   for (const NamedRow& p : report.points) points.push_back(point_of(p));
   report.locations.resize(points.size());
@@ -89,7 +90,9 @@ nlohmann::json inside_json(const InsideReport& report) {
 
 int run_inside(const InsideOptions& options) {
   std::vector<std::string> read = options.meshes.words;
-  if (options.file) read.push_back(*options.file);
+  for (const auto& file : {options.file, options.tree}) {
+    if (file) read.push_back(*file);
+  }
   require_input_once(read);
   OutputFiles outputs(read);
   outputs.promise("--json", options.json);

@@ -23,6 +23,7 @@ struct InsideOptions {
   MeshArguments meshes;             // one file
   std::vector<std::string> points;  // three numbers each
   std::optional<std::string> file;  // of more points; "-" is standard input
+  std::optional<std::string> tree;  // of the mesh, kept from before
   std::optional<std::string> json;  // "-" is standard output
 };
 

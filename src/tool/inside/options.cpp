@@ -14,6 +14,7 @@ Command inside_command(CLI::App& program) {
       ->type_name("X,Y,Z");
   parser->add_option("--points", o.file, "Ask about the points of this file, one a line; '-' is standard input.")
       ->type_name("FILE");
+  add_tree(parser, o.tree);
   add_output(parser, "--json", o.json, "Write the answers as JSON");
   return {parser, inside_manual, [options] { return run_inside(*options); }, &o.meshes.words};
 }

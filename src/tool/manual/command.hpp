@@ -82,6 +82,9 @@ void add_reading(CLI::App* parser, MeshArguments& meshes);
 void add_output(CLI::App* parser, const std::string& option, std::optional<std::string>& path,
                 const std::string& about);
 
+/// --tree: of commands that build the tree of one mesh.
+void add_tree(CLI::App* parser, std::optional<std::string>& file);
+
 /// --obj and --overwrite: the triangles of an answer, to be looked at.
 void add_obj(CLI::App* parser, ObjOutput& obj, const std::string& about);
 

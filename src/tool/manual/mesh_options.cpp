@@ -25,6 +25,11 @@ void add_reading(CLI::App* parser, MeshArguments& meshes) {
       ->type_name("MIB");
 }
 
+void add_tree(CLI::App* parser, std::optional<std::string>& file) {
+  parser->add_option("--tree", file, "Take the mesh's tree from this file of 'plumb bvh --out', and build none.")
+      ->type_name("FILE");
+}
+
 void add_obj(CLI::App* parser, ObjOutput& obj, const std::string& about) {
   add_output(parser, "--obj", obj.path, about);
   parser->add_flag("--overwrite", obj.overwrite, "Replace the file of --obj where it is there.");

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "plumb/arith/error.hpp"
+#include "tool/mesh/asked_tree.hpp"
 #include "tool/rows/named_rows.hpp"
 #include "tool/terminal/decimal_list.hpp"
 #include "tool/terminal/json_text.hpp"
@@ -44,7 +45,7 @@ RayReport ray_report(const RayOptions& options, const OutputFiles& outputs) {
       report.rays.push_back(segment_of(std::move(row)));
   }
   report.mesh = std::move(read_asked_meshes(options.meshes, outputs).front());
-  const Bvh bvh = build_bvh(report.mesh.mesh);
+  const Bvh bvh = asked_tree(report.mesh, options.tree);
   for (const NamedRay& ray : report.rays) report.hits.push_back(hits(bvh, ray.ray));
   return report;
 }
@@ -111,7 +112,7 @@ nlohmann::json ray_json(const RayReport& report) {
 
 int run_ray(const RayOptions& options) {
   std::vector<std::string> read = options.meshes.words;
-  for (const auto& file : {options.ray_file, options.segment_file}) {
+  for (const auto& file : {options.ray_file, options.segment_file, options.tree}) {
     if (file) read.push_back(*file);
   }
   require_input_once(read);

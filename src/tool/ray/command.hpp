@@ -22,6 +22,7 @@ struct RayOptions {
   MeshArguments meshes;                               // one file
   std::vector<std::string> rays, segments;            // six numbers each
   std::optional<std::string> ray_file, segment_file;  // of more; "-" is standard input
+  std::optional<std::string> tree;                    // of the mesh, kept from before
   bool all = false;                                   // say every hit, not the first alone
   std::optional<std::string> json;                    // "-" is standard output
   ObjOutput obj;                                      // the triangles that are said

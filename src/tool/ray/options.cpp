@@ -18,6 +18,7 @@ Command ray_command(CLI::App& program) {
   parser->add_option("--rays", o.ray_file, "Shoot the rays of this table, one a line; '-' is standard input.")
       ->type_name("FILE");
   parser->add_option("--segments", o.segment_file, "The same of segments.")->type_name("FILE");
+  add_tree(parser, o.tree);
   parser->add_flag("--all", o.all, "Say every hit of a ray; without this option, the first.");
   add_output(parser, "--json", o.json, "Write every hit as JSON");
   add_obj(parser, o.obj, "Write the triangles that are said to be hit as OBJ");

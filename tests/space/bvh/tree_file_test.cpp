@@ -84,6 +84,7 @@ TEST_F(TreeFile, GivesBackWhatWasWritten) {
     const TriangleMesh mesh = meshes::soup(m, 1 + m.below(50), m.below(100));
     const Bvh bvh = build_bvh(mesh);
     write_bvh(path_, bvh);
+    EXPECT_EQ(bvh_bytes(bvh), bytes());
     expect_equal(read_bvh(path_), bvh);
     const Bvh mapped = map_bvh(path_);
     expect_equal(mapped, bvh);

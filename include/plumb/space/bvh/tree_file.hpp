@@ -46,6 +46,8 @@ struct BvhFileError : Error {
 };
 
 void write_bvh(const std::string& path, const Bvh& bvh);
+/// What such a file holds, for who keeps it in another way.
+std::string bvh_bytes(const Bvh& bvh);
 Bvh read_bvh(const std::string& path);
 Bvh map_bvh(const std::string& path);
 
