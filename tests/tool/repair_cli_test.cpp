@@ -1,9 +1,12 @@
 // `plumb repair` as a user meets it: files and folders that are mended, what is told, and what is not replaced.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 
+#include "plumb/figure/measures/width.hpp"
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/topology/faults.hpp"
 #include "tool/browser.hpp"
@@ -137,6 +140,28 @@ TEST(RepairCommand, WhatCannotBeIsRefusedAndWritesNothing) {
     EXPECT_THAT(o.err, HasSubstr(why)) << words;
     EXPECT_EQ(run("test -e " + b + " || test -e " + (folder / "out")).code, 1) << words;
   }
+}
+
+TEST(RepairCommand, PolygonsThatAreNotPlanarAreRefusedWhereThatIsAsked) {
+  const Folder folder;
+  // A box whose lid has one corner 2^-4 too low: the lid and two walls are quadrilaterals, the lid alone is not planar.
+  put(folder / "a.obj",
+      "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 4\nv 4 0 4\nv 4 4 4\nv 0 4 3.9375\n"
+      "f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 7 8\n");
+  const std::string a = folder / "a.obj", b = folder / "b.obj";
+  const Outcome o = run("$PLUMB repair --planar 0 " + a + " -o " + b);
+  EXPECT_EQ(o.code, 2);
+  const std::vector<Point3> lid{{0, 0, 4}, {4, 0, 4}, {4, 4, 4}, {0, 4, 3.9375}};
+  const double thick = least_width(lid).width;
+  EXPECT_THAT(o.err, AllOf(HasSubstr("a.obj: polygon 5, counted from 0, is "), HasSubstr("'--planar 0'")));
+  EXPECT_THAT(o.err, HasSubstr(fmt::format("is {} thick", thick)));
+  EXPECT_EQ(run("test -e " + b).code, 1) << "nothing is written";
+  EXPECT_EQ(run(fmt::format("$PLUMB repair --planar {} {} -o {}", std::nextafter(thick, 0), a, b)).code, 2);
+  EXPECT_EQ(run(fmt::format("$PLUMB repair --planar {} {} -o {}", thick + 1e-9, a, b)).code, 0);
+  EXPECT_EQ(read_mesh(b).triangles.size(), 12U);
+  EXPECT_EQ(run("$PLUMB repair --dry-run " + a).code, 0) << "triangulated, where it is not asked for";
+  for (const char* words : {"-1", "nan", "inf", "x"})
+    EXPECT_EQ(run(std::string("$PLUMB repair --dry-run --planar ") + words + " " + a).code, 2) << words;
 }
 
 TEST(RepairCommand, StandardInputAndOutput) {

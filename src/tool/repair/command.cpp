@@ -10,6 +10,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/thread_limit.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
+#include "plumb/surface/planar/planarity.hpp"
 #include "plumb/surface/planar/triangulate.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
@@ -130,6 +131,18 @@ void promise_meshes(const RepairSettings& settings, const Destinations& to, Outp
   }
 }
 
+/// Throws Error where a polygon is thicker than is allowed; its number is that of the file, from 0, as everywhere.
+void require_planar(const InputMesh& input, const std::optional<double>& length) {
+  if (!length) return;
+  const std::vector<BentFace> bent = plumb::bent_faces(input.mesh, *length);
+  if (bent.empty()) return;
+  const std::string more = bent.size() == 1 ? "" : fmt::format(", as are {} more", bent.size() - 1);
+  throw Error(fmt::format(
+      "{}: polygon {}, counted from 0, is {} thick, which is more than '--planar {}' allows{}; allow more, or "
+      "leave the option out to have such polygons triangulated",
+      printable(input.name), bent[0].face, bent[0].width.width, *length, more));
+}
+
 Repaired mended(const std::string& name, const TriangleMesh& mesh, const std::vector<RepairStep>& steps) {
   Progress bar(name, steps.size() + 1);
   RepairOptions options;
@@ -155,6 +168,8 @@ int run_repair(const RepairSettings& settings) {
   if (!settings.output && !settings.dry_run)
     throw Error(
         "repair: where the mended mesh goes is not said; add '-o FILE', or --dry-run to see what would be changed");
+  if (settings.planar && !std::isfinite(*settings.planar))
+    throw Error("--planar: it is not a real number; give a finite length");
   if (settings.output && settings.dry_run) throw Error("--output and --dry-run exclude one another; leave one out");
   const std::vector<RepairStep> steps = steps_of(settings);
   const MeshInputs inputs = mesh_inputs(settings.meshes);
@@ -180,6 +195,7 @@ int run_repair(const RepairSettings& settings) {
       inputs, settings.meshes.reading(),
       [&](InputMesh input) {
         outputs.require_not_read(input.load.files_beside);
+        require_planar(input, settings.planar);
         const TriangleMesh mesh = triangulate(input.mesh, &input.load.fans);
         MendedMesh m{input.name, input.load, mesh.vertices.size(), mesh.triangles.size(), find_faults(mesh), {}, {}};
         m.done = mended(m.name, mesh, steps);

@@ -4,7 +4,7 @@
 // is there is replaced, unless that is asked for, and never one that is read.  (3) Text and JSON tell the same.  (4)
 // What is left of faults is told by what judges any mesh (`plumb check`).
 // Exit code 0 when done, 1 where --fail-on-left is given and a fault is left; a mesh or words that cannot be read, a
-// step that there is not, an output that cannot be written throw Error.
+// step that there is not, a polygon thicker than is allowed, an output that cannot be written throw Error.
 // Source: plumb/surface/repair/repair.hpp.
 // Cost: that of repair, and of find_faults before it.
 #pragma once
@@ -27,7 +27,8 @@ struct RepairSettings {
   std::optional<std::string> output, json, page;  // "-" is standard output
   std::vector<std::string> only;                  // names of steps
   double tolerance = 0;
-  std::uint64_t size = 0;  // components of fewer triangles are left out
+  std::optional<double> planar;  // no polygon may be thicker
+  std::uint64_t size = 0;        // components of fewer triangles are left out
   bool chains = false, keep_turned = false, dry_run = false, overwrite = false, fail_on_left = false;
   unsigned threads = 0;
 };

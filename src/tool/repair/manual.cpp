@@ -9,7 +9,9 @@ Manual repair_manual() {
            "plumb repair [OPTION]... --dry-run MESH..."},
           {{"DESCRIPTION", R"(
 Reads each MESH as `plumb check` does, takes the steps below in turn,
-and writes the mesh that comes of them. Polygons are triangulated.
+and writes the mesh that comes of them. Polygons are triangulated, also
+where they are not planar, unless --planar refuses those that are
+thicker than a length: none at all for 0.
 Whatever no step names stays as it was, bit for bit; no vertex gets a
 new coordinate. All is decided exactly; a tolerance is a wish, and is
 compared exactly. What cannot be mended stays, and is told: surfaces
@@ -53,7 +55,8 @@ unused Vertices that no triangle names are left out.)"}},
 0      Done.
 1      A fault is left, and --fail-on-left asked.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,
-       a file that is there already, an output that cannot be written.
+       a polygon thicker than --planar allows, a file that is there
+       already, an output that cannot be written.
        What was wrong stands on standard error.)"},
            {"EXAMPLES", R"(
 plumb repair part.stl -o mended.stl

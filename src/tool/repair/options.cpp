@@ -31,6 +31,12 @@ Command repair_command(CLI::App& program) {
           "they are equal, or exactly on an edge.")
       ->check(CLI::NonNegativeNumber)
       ->type_name("LENGTH");
+  parser
+      ->add_option("--planar", o.planar,
+                   "Refuse a mesh that has a polygon thicker than LENGTH, and name the polygon; else such polygons are "
+                   "triangulated.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("LENGTH");
   parser->add_flag(
       "--chains", o.chains,
       "Weld all that short steps connect, however long that goes; else no group is wider than the tolerance.");
