@@ -32,7 +32,8 @@ int takers(const A& a, const B& b) {
   int count = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
     Links links(i);
-    const Posed at_a{a, links.pose(0)}, at_b{b, links.pose(4)};
+    const Posed at_a{a, links.pose(0)};
+    const Posed at_b{b, links.pose(4)};
     const int before = allocations;
     const double alone = distance(at_a, at_b);
     const Closest c = closest_points(at_a, at_b);

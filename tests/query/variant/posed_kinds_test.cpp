@@ -197,8 +197,10 @@ TEST(AnyFigure, AnswersAsPosedKinds) {
   EXPECT_GT(seen.answers, 8000);
   for (const auto& [what, kinds] : seen.refused_kinds) {
     for (const std::string_view kind : kinds) {
-      EXPECT_TRUE(std::ranges::any_of(
-          gaps, [&](const Gap& gap) { return gap.what == what && (gap.kinds.empty() || gap.kinds.contains(kind)); }))
+      EXPECT_TRUE(std::ranges::any_of(gaps,
+                                      [&, &what = what](const Gap& gap) {
+                                        return gap.what == what && (gap.kinds.empty() || gap.kinds.contains(kind));
+                                      }))
           << what << ": " << kind << " is no gap of the list: close it, or say why it is one";
     }
   }

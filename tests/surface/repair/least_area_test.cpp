@@ -35,7 +35,7 @@ std::vector<Filling> all_fillings(std::uint32_t i, std::uint32_t k) {
 mpf_class area_of(const std::vector<Point3>& points, const Filling& filling) {
   mpf_class sum(0, 1024);
   for (const auto& [a, b, c] : filling) {
-    const auto part = [&](double Point3::*u, double Point3::*v) {
+    const auto part = [&, &a = a, &b = b, &c = c](double Point3::*u, double Point3::*v) {
       return mpz_class((points[b].*u - points[a].*u) * (points[c].*v - points[a].*v) -
                        (points[b].*v - points[a].*v) * (points[c].*u - points[a].*u));
     };
