@@ -69,6 +69,9 @@ TEST(RayCommand, RefusesWhatIsNoRay) {
   const Folder folder;
   std::ofstream(folder / "roof.obj") << roof;
   std::ofstream(folder / "still.csv") << "1,2,3,0,0,-1\n4 5 6 0 0 0\n";
+  std::ofstream(folder / "segments.csv") << "ax,ay,az,bx,by,bz\n1,2,3,1,2,-3\n";
+  std::ofstream(folder / "ends.csv") << "Start X;Start Y;Start Z;End X;End Y;End Z\n1;2;3;1;2;-3\n";
+  std::ofstream(folder / "rays.csv") << "ox,oy,oz,dx,dy,dz\n1,2,3,0,0,-1\n";
   std::ofstream(folder / "bad.csv") << "1,2,3,0,0,-1\n1,2,3,0,0\n";
   const std::string at = "cd " + (folder / "") + " && $PLUMB ray ";
   const std::pair<const char*, const char*> refusals[] = {
@@ -78,6 +81,13 @@ TEST(RayCommand, RefusesWhatIsNoRay) {
       {"--ray 1,2,3,0,0,-0 roof.obj", "--ray: the direction of 1,2,3,0,0,-0 is zero"},
       {"--rays still.csv roof.obj", "still.csv: the direction of 4,5,6,0,0,0 is zero"},
       {"--rays bad.csv roof.obj", "bad.csv, line 2: this has 5 numbers; a ray has six"},
+      {"--rays segments.csv roof.obj",
+       "segments.csv: the columns are named 'ax,ay,az,bx,by,bz', and are not read as "
+       "'ox,oy,oz,dx,dy,dz'; --segments takes them"},
+      {"--rays ends.csv roof.obj", "--segments takes them"},
+      {"--segments rays.csv roof.obj",
+       "rays.csv: the columns are named 'ox,oy,oz,dx,dy,dz', and are not read as "
+       "'ax,ay,az,bx,by,bz'; --rays takes them"},
       {"--segments roof.obj roof.obj", "roof.obj"},
       {"--rays - -", "'-' stands twice"},
       {"--rays bad.csv roof.obj --json bad.csv", "--json would replace bad.csv, which this run reads"},

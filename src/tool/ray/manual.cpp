@@ -20,7 +20,9 @@ between two triangles that share an edge. Numbers are the exact ones
 rounded once.
 
 --rays and --segments name tables: a ray or a segment a line, six
-decimals with blanks or commas between them, packed or not.)"}},
+decimals with blanks or commas between them, packed or not. A table
+whose header names the ends of segments is none of rays, and the other
+way round.)"}},
           {{"EXIT STATUS", R"(
 0      Done, also where nothing is hit.
 2      Bad input: wrong usage, a file that cannot be read or is no mesh,

@@ -37,12 +37,21 @@ std::string key_of(std::string_view name) {
   return key;
 }
 
+std::vector<std::string> keys_of(const std::vector<std::string_view>& columns) {
+  std::vector<std::string> keys;
+  for (const std::string_view column : columns) keys.push_back(key_of(column));
+  return keys;
+}
+
 }  // namespace
+
+bool are_column_names(std::string_view header, const std::vector<std::string_view>& names) {
+  return keys_of(columns_of(header)) == keys_of(names);
+}
 
 void require_column_names(std::string_view header, std::span<const std::string_view> names, const std::string& place) {
   const std::vector<std::string_view> columns = columns_of(header);
-  std::vector<std::string> keys;
-  for (const std::string_view column : columns) keys.push_back(key_of(column));
+  const std::vector<std::string> keys = keys_of(columns);
   if (std::ranges::equal(keys, names, {}, {}, key_of)) return;
   const auto is_column = [&](std::string_view name) { return std::ranges::find(keys, key_of(name)) != keys.end(); };
   if (std::ranges::none_of(names, is_column)) return;

@@ -11,10 +11,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace plumb::tool {
 
 /// `names` are those of the numbers of a row; throws Error, which names the columns that there are and that are wanted.
 void require_column_names(std::string_view header, std::span<const std::string_view> names, const std::string& place);
+
+/// Are these the header's, all of them in this order?
+bool are_column_names(std::string_view header, const std::vector<std::string_view>& names);
 
 }  // namespace plumb::tool

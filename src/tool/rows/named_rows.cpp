@@ -19,6 +19,19 @@ void require_as_many(const std::vector<double>& values, const RowShape& shape, c
     throw Error(fmt::format("{}: this has {} numbers; {}", what, values.size(), shape.needs));
 }
 
+/// A header of six columns, x, y and z of each of two.
+void require_no_others(std::string_view header, const RowShape& shape, const std::string& name) {
+  for (const auto& [first, second] : shape.others) {
+    std::vector<std::string> columns;
+    for (const std::string_view of : {first, second}) {
+      for (const char axis : {'x', 'y', 'z'}) columns.push_back(std::string(of) + axis);
+    }
+    if (!are_column_names(header, {columns.begin(), columns.end()})) continue;
+    throw Error(fmt::format("{}: the columns are named '{}', and are not read as '{}'; {} takes them", name,
+                            printable(header), fmt::join(shape.columns, ","), shape.taken_by));
+  }
+}
+
 }  // namespace
 
 NamedRow read_named_row(const std::string& words, const std::string& what, const RowShape& shape) {
@@ -31,7 +44,10 @@ std::vector<NamedRow> parse_named_rows(std::string_view text, const std::string&
   std::vector<NamedRow> named;
   DecimalRows rows(text, name);
   while (rows.next()) {
-    if (named.empty() && !rows.header().empty()) require_column_names(rows.header(), shape.columns, name);
+    if (named.empty() && !rows.header().empty()) {
+      require_column_names(rows.header(), shape.columns, name);
+      require_no_others(rows.header(), shape, name);
+    }
     const DecimalRow& row = rows.row();
     require_as_many(row.values, shape, rows.place());
     named.push_back({fmt::format("{}", fmt::join(row.words, ",")), row.values, row.exact});
