@@ -209,6 +209,7 @@ TEST(Plan, TextJsonAndChartAgree) {
   EXPECT_EQ(j["tree_plans"][1]["mesh"], "long.off");
   for (const json& t : j["tree_plans"]) {
     EXPECT_GT(t["ray_ns_without"], 0);
+    EXPECT_EQ(t["rays_in_plane"], false);
     EXPECT_EQ(t["trees"].size(), planned_methods().size());
     for (const json& tree : t["trees"]) EXPECT_EQ(tree["contradictions"], 0) << tree;
     EXPECT_EQ(t["choices"][0]["from_rays"], 0);
@@ -320,6 +321,8 @@ TEST(TreePlan, FindsATreeForAMeshOfManyTriangles) {
     EXPECT_GT(t.bytes, 12);
   }
   EXPECT_GE(plan.choices().size(), 2u);
+  EXPECT_FALSE(plan.rays_in_plane);
+  EXPECT_TRUE(plan_trees(TriangleMesh{{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}}, {{0, 1, 2}}}).rays_in_plane);
   EXPECT_TRUE(plan_trees(TriangleMesh{{{0, 0, 0}}, {}}).trees.empty());
 }
 

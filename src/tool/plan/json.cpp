@@ -69,7 +69,10 @@ json json_of(const BoundPlan& b) {
 }
 
 json json_of(const TreePlan& plan) {
-  json j{{"ray_ns_without", plan.ray_ns_without}, {"trees", json::array()}, {"choices", json::array()}};
+  json j{{"ray_ns_without", plan.ray_ns_without},
+         {"rays_in_plane", plan.rays_in_plane},
+         {"trees", json::array()},
+         {"choices", json::array()}};
   for (const TreeTimes& t : plan.trees) {
     j["trees"].push_back({{"method", name_of(t.method)},
                           {"build_ms", t.build_ms},

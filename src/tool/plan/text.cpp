@@ -146,6 +146,9 @@ std::string trees(const ScenePlan& scene, const Style& style) {
                        t.bytes, three_digits(t.ray_ns), three_digits(t.nearest_ns));
     }
     s += fmt::format("  {:<24}take {}\n", "", choices(plan));
+    if (plan.rays_in_plane)
+      s += style.dim(
+          fmt::format("  {:<24}the mesh is flat, and so these rays lie in its plane; others take less\n", ""));
   }
   return s;
 }

@@ -24,9 +24,11 @@ constexpr int tree_runs = 3;
 struct Questions {
   std::vector<AnyRay> segments;
   std::vector<Point3> points;
+  bool are_in_plane;
 
   explicit Questions(const TriangleMesh& mesh) {
     const Aabb3 box = fit_aabb(mesh.vertices);
+    are_in_plane = box.min.x == box.max.x || box.min.y == box.max.y || box.min.z == box.max.z;
     Entropy entropy(77);
     const auto within = [&](double low, double high) {
       return std::lerp(low, high, static_cast<double>(entropy.below(1u << 20)) / (1u << 20));
@@ -105,6 +107,7 @@ TreePlan plan_trees(const TriangleMesh& mesh) {
   TreePlan plan{0, {}};
   if (mesh.triangles.empty()) return plan;
   const Questions questions(mesh);
+  plan.rays_in_plane = questions.are_in_plane;
   const TriangleBatch all = triangle_batch(mesh);
   constexpr std::size_t few = 4;  // each looks at all triangles
   plan.ray_ns_without = least_time([&] {

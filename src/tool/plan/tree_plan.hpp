@@ -36,6 +36,7 @@ struct TreeChoice {
 struct TreePlan {
   double ray_ns_without;
   std::vector<TreeTimes> trees;
+  bool rays_in_plane = false;                             // the mesh's box is flat, and so all that is asked lies in it
   [[nodiscard]] std::vector<TreeChoice> choices() const;  // from few rays to many, the first from 0
 };
 
