@@ -58,6 +58,7 @@ class SmallTree : public testing::Test {
     write("include/plumb/classic.h", "");
     write("src/classic/classic.cpp", "#include \"plumb/classic.h\"\n#include \"plumb/certify/decide.hpp\"\n");
     write("src/install.cmake", "");
+    write("src/python/signs.cpp", "#include \"tool/mesh/near.hpp\"\n#include <pybind11/pybind11.h>\n");
     write("src/tool/program/main.cpp", "#include \"tool/mesh/report.hpp\"\n#include <fmt/core.h>\n");
     write("tests/oracle/cgal.cpp", "#include <CGAL/Gmpq.h>\n");
     write("docs/examples/cgal/main.cpp", "#include <CGAL/enum.h>\n#include <plumb/certify/cgal_kernel.hpp>\n");

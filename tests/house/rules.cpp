@@ -17,7 +17,7 @@ constexpr std::size_t longest_file = 500;
 constexpr std::uintmax_t largest_file = 200'000;  // bytes; what is larger, a command makes
 constexpr std::string_view cgal_adaptor = "include/plumb/certify/cgal_";
 constexpr std::string_view eigen_adaptor = "include/plumb/figure/basic/eigen.hpp";
-constexpr int above_all = 1000;  // the rung of the program and of plumb.hpp
+constexpr int above_all = 1000;  // the rung of the program, of Python's face and of plumb.hpp
 
 struct Source {
   std::string path;  // relative to the tree, with slashes
@@ -128,7 +128,7 @@ std::vector<Source> read_sources(const fs::path& tree) {
 
 /// The rung of a name directly below include/plumb or src: a folder, or a face such as surface.hpp.
 std::optional<int> rung_of(std::string name) {
-  if (name == "tool" || name == "plumb.hpp") return above_all;
+  if (name == "tool" || name == "python" || name == "plumb.hpp") return above_all;
   if (name == "lab") return above_all + 1;             // the second program knows the first
   if (name == "predicates.hpp") name = "certify.hpp";  // the face of the signs
   if (name == "classic.h") name = "classic.hpp";       // the face for C
@@ -176,7 +176,7 @@ void check_folders(const fs::path& tree, std::vector<Breach>& out) {
       const std::string name = entry.path().filename().string();
       const std::string extension = entry.path().extension().string();
       const bool known = entry.is_directory() ? rung_of(name) && (name != "predicates" || entry.is_symlink()) &&
-                                                    ((name != "tool" && name != "lab") || top == "src")
+                                                    (!one_of(name, {"tool", "lab", "python"}) || top == "src")
                          : top == "src" ? one_of(extension, {".cmake", ".in"})
                                         : (extension == ".hpp" || name == "classic.h") && rung_of(name).has_value();
       if (!known) out.push_back({top + "/" + name, "is no rung of the ladder"});

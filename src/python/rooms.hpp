@@ -1,0 +1,14 @@
+// What is in the module?  A function for each of its rooms, which adds what the room has.
+//
+// Source: none.
+// Cost: once, when Python imports it.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace plumb::python {
+
+void add_errors(pybind11::module_& module);
+void add_signs(pybind11::module_& module);
+
+}  // namespace plumb::python
