@@ -114,11 +114,12 @@
 #include "plumb/space/coherence/visit_stamps.hpp"   // the same, in bytes
 
 // Where does a ray hit?
-#include "plumb/space/ray/inside.hpp"      // is a point in a closed mesh?  locate, winding_number
-#include "plumb/space/ray/mesh_ray.hpp"    // a mesh: first_hit, any_hit, hits, count_hits
-#include "plumb/space/ray/ray_slabs.hpp"   // the slab test, for descents of one's own
-#include "plumb/space/ray/shape_ray.hpp"   // shapes of any kind
-#include "plumb/space/ray/volume_ray.hpp"  // a mesh, by spheres, oriented boxes or k-DOPs
+#include "plumb/space/ray/inside.hpp"        // is a point in a closed mesh?  locate, winding_number
+#include "plumb/space/ray/mesh_ray.hpp"      // a mesh: first_hit, any_hit, hits, count_hits
+#include "plumb/space/ray/open_winding.hpp"  // how often does a mesh with holes wind around a point?
+#include "plumb/space/ray/ray_slabs.hpp"     // the slab test, for descents of one's own
+#include "plumb/space/ray/shape_ray.hpp"     // shapes of any kind
+#include "plumb/space/ray/volume_ray.hpp"    // a mesh, by spheres, oriented boxes or k-DOPs
 
 // In which cell of a grid is it?
 #include "plumb/space/grid/cell_grid.hpp"  // a point

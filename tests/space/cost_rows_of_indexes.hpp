@@ -101,6 +101,12 @@ inline const CostRow rows_of_indexes[]{
        const Bvh bvh = build_bvh(c.mesh);
        for (const Point3& p : asked_points(c)) (void)winding_number(bvh, p);
      }},
+    {"generalized_winding_number of a mesh", "space/ray/open_winding.hpp", sorting, 600,
+     [](const Cloud& c) {
+       const Bvh bvh = build_bvh(c.mesh);
+       const std::vector<BorderEdge> border = border_of(bvh);
+       for (const Point3& p : asked_points(c)) (void)generalized_winding_number(bvh, border, p);
+     }},
     {"meeting", "space/range/range_search.hpp", linear, 100,
      [](const Cloud& c) { (void)meeting(build_bvh(c.mesh), capsule(c.b)); }, 72, 1},
     {"meeting, posed", "space/range/range_search.hpp", linear, 100,
