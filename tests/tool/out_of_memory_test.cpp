@@ -123,7 +123,9 @@ const std::vector<Writer> writers{
      .words = {"bounds", "small.obj", "--json", "a.json", "--chart", "a.svg"},
      .outputs = {"a.json", "a.svg"},
      .is_hungry = false},
-    {"bvh", {"bvh", "part.obj", "--json", "a.json", "--svg", "a.svg", "--overwrite"}, {"a.json", "a.svg"}},
+    {"bvh",
+     {"bvh", "part.obj", "--json", "a.json", "--svg", "a.svg", "--out", "a.bvh", "--overwrite"},
+     {"a.json", "a.svg", "a.bvh"}},
     {.name = "section",
      .words = {"section", "part.obj", "--plane", "z=0.3", "--json", "a.json", "--svg", "a.svg", "--dxf", "a.dxf",
                "--out", "report"},
@@ -350,7 +352,8 @@ TEST(OneThread, IsAllThatOneThreadTakes) {
 
 // Whatever option names a file or a folder, names one to write or is told here to read it.
 TEST(Writers, AreAllThereAre) {
-  const std::set<std::string> read{"--ccd", "--judge", "--library", "--models", "--points", "--rays", "--segments"};
+  const std::set<std::string> read{"--ccd",    "--judge", "--library",  "--models",
+                                   "--points", "--rays",  "--segments", "--tree"};
   for (const auto& [program, name] : {std::pair(Program::plumb, "$PLUMB"), {laboratory, "$PLUMB_LAB"}}) {
     if (path_of(program).empty()) continue;
     for (const std::string& command : commands(name)) {
