@@ -23,6 +23,7 @@ FoundCorners found_corners(const SeenFeature& a, const SeenFeature& b, const Sid
                      static_cast<Index>(both ? p->index : 0),
                      {a.vertex(i), b.at(*p)}});
   }
+  if (!on_a.has_outer() || !on_b.has_outer()) return found;  // no edge leaves the other feature
   for (std::size_t i = 0; i < a.edges(); ++i) {
     const std::size_t next = i + 1 == a.size() ? 0 : i + 1;
     for (std::size_t j = 0; j < b.edges(); ++j) {

@@ -7,6 +7,7 @@
 // Cost: a sign for each vertex of one and each edge of the other.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "query/contact/facing.hpp"
@@ -59,7 +60,7 @@ class View {
     if constexpr (is_cheap) {
       for (std::size_t i = 0; i < size(); ++i) {
         if (is_side_ && i < 2) ways_(i, [&] { return edge_between(i, i + 1); });
-        if (is_side_ && i > 1) ways_(i, [&] { return Vec<T>{-ways_[i - 2].x, -ways_[i - 2].y, -ways_[i - 2].z}; });
+        if (is_side_ && i > 1) ways_(i, [&] { return back(ways_[i - 2]); });
         places_(i, [&] { return is_side_ && i > 0 ? places_[i - 1] + ways_[i - 1] : place(i); });
       }
       for (std::size_t i = 0; i < edges() && !is_side_; ++i) ways_(i, [&] { return places_[next(i)] - places_[i]; });
@@ -72,10 +73,7 @@ class View {
     if constexpr (is_cheap) {
       return places_[i];
     } else {
-      return places_(i, [&]() -> Vec<T> {
-        if (!is_side_ || i == 0 || seen.core.is_aligned()) return place(i);
-        return at(i == 3 ? 0 : i - 1) + edge(i == 3 ? 1 : i - 1);  // which is less to be computed
-      });
+      return places_(i, [&] { return new_place(i); });
     }
   }
   [[nodiscard]] std::size_t edges() const { return f.edges.size(); }
@@ -83,17 +81,33 @@ class View {
     if constexpr (is_cheap) {
       return ways_[i];
     } else {
-      return ways_(i, [&] { return is_side_ ? edge_between(i, next(i)) : at(next(i)) - at(i); });
+      return ways_(i, [&] { return new_way(i); });
     }
   }
 
  private:
-  static constexpr bool is_cheap = requires(const T& x) { x.magnitude; };
+  static constexpr bool is_cheap = std::is_same_v<T, Approximate>;
 
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
   [[nodiscard]] Vec<T> place(std::size_t i) const { return parting::corner_of<T>(seen.core, f.corners[i]); }
   [[nodiscard]] Vec<T> edge_between(std::size_t i, std::size_t k) const {
     return parting::between<T>(seen.core, f.corners[i], f.corners[k]);
+  }
+  static Vec<T> back(const Vec<T>& v) {
+    if constexpr (requires { -v.x; }) {
+      return {-v.x, -v.y, -v.z};
+    } else {
+      return Vec<T>{T(0.0), T(0.0), T(0.0)} - v;
+    }
+  }
+  // Neither is inlined where it is asked for: they are long, and asked for at many places.
+  [[nodiscard]] [[gnu::noinline]] Vec<T> new_place(std::size_t i) const {
+    if (!is_side_ || i == 0 || seen.core.is_aligned()) return place(i);
+    return at(i == 3 ? 0 : i - 1) + edge(i == 3 ? 1 : i - 1);  // which is less to be computed
+  }
+  [[nodiscard]] [[gnu::noinline]] Vec<T> new_way(std::size_t i) const {
+    if (!is_side_) return at(next(i)) - at(i);
+    return i < 2 ? edge_between(i, i + 1) : back(edge(i - 2));
   }
 
   bool is_side_;
@@ -132,6 +146,10 @@ class Sides {
     for (const Sign s : sign) sign_.push_back(s);
   }
   [[nodiscard]] Sign operator()(std::size_t line, std::size_t vertex) const { return sign_[line * vertices_ + vertex]; }
+  /// Is a vertex on the outer side of any line?
+  [[nodiscard]] bool has_outer() const {
+    return std::any_of(sign_.begin(), sign_.end(), [](Sign s) { return s == Sign::negative; });
+  }
 
   /// Which part of the feature a vertex is before: nothing if none.
   struct Place {

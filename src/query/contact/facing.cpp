@@ -65,7 +65,8 @@ Feature surface_feature(const Seen& s, FeatureKind kind, std::size_t index) {
 Feature edge_between(const Seen& s, Index i, Index j) {
   const CoreCorners& c = s.core;
   Index number = std::min(i, j);
-  const bool is_edge = std::has_single_bit(i ^ j);
+  const Index bits = i ^ j;
+  const bool is_edge = bits != 0 && (bits & (bits - 1)) == 0;  // has_single_bit calls a function of the compiler's
   if (c.polyhedron() != nullptr) {
     const std::array of{i, j};
     number = feature_of_mesh(*c.polyhedron(), of).value_or(Feature{FeatureKind::edge, number}).index;

@@ -19,24 +19,21 @@ std::optional<Ball> by_integers(const Of& of) {
 }
 
 /// What a ball knows; its error is that many times 2^-106 of its size.
-template <class T>
-T number_of(const Ball& x) {
-  if constexpr (std::is_same_v<T, Ball>) {
-    return x;
-  } else {
-    const double size = magnitude_of(x.high);
-    if (size == 0) return x.radius == 0 ? T(0.0) : T(std::numeric_limits<double>::quiet_NaN());
-    return T(x.high, x.low, size, x.radius / size * 0x1p106 * (1 + T::slack), 1);
-  }
+parting::FusedPair pair_of(const Ball& x) {
+  using T = parting::FusedPair;
+  const double size = magnitude_of(x.high);
+  if (size == 0) return x.radius == 0 ? T(0.0) : T(std::numeric_limits<double>::quiet_NaN());
+  return T(x.high, x.low, size, x.radius / size * 0x1p106 * (1 + T::slack), 1);
 }
 
-template <class T>
-[[gnu::always_inline]] inline std::optional<Whole> whole_over(const Pair& p, Open& open, const Ball* height) {
-  const ToldNumbers<T> numbers(p);
-  return numbers.whole(height == nullptr ? numbers.height() : number_of<T>(*height), open);
+PLUMB_WITH_FMA std::optional<Whole> whole_fused(const Pair& p, std::optional<ToldByPairs>& by_pairs, Open& open,
+                                                const Ball* height) {
+  if (!by_pairs) by_pairs.emplace(p);
+  return by_pairs->numbers.whole(height == nullptr ? by_pairs->height : pair_of(*height), open);
 }
-PLUMB_WITH_FMA std::optional<Whole> whole_fused(const Pair& p, Open& open, const Ball* height) {
-  return whole_over<parting::FusedPair>(p, open, height);
+[[gnu::noinline]] std::optional<Whole> whole_by_balls(const Pair& p, Open& open, const Ball* height) {
+  const ToldNumbers<Ball> numbers(p);
+  return numbers.whole(height == nullptr ? numbers.height() : *height, open);
 }
 
 /// What is told of the corners so far, and what is known of those that are not.
@@ -54,15 +51,16 @@ struct CornersSoFar {
   }
 };
 
-template <class T>
-[[gnu::always_inline]] inline void corners_over(const Pair& p, const Matched& m, const Whole& whole, CornersSoFar& to) {
-  const ToldNumbers<T> numbers(p);
+PLUMB_WITH_FMA void corners_fused(const ToldByPairs& by_pairs, const Pair& p, const Matched& m, const Whole& whole,
+                                  CornersSoFar& to) {
+  using T = parting::FusedPair;
+  const ToldNumbers<T>& numbers = by_pairs.numbers;
   const View<T> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
   const CornerPlaces<T> places(a, b, numbers.normal());
   const LevelParts level(m);
   const T none(0.0);
   const bool do_touch = whole.relation == Relation::touching && p.radii().are_none();
-  const Vec<T> step = do_touch ? Vec<T>{none, none, none} : numbers.step(numbers.height());
+  const Vec<T> step = do_touch ? Vec<T>{none, none, none} : numbers.step(by_pairs.height);
   for (std::size_t i = 0; i < m.corners.size(); ++i) {
     std::optional<Corner>& told = to.told.begin()[i];
     if (told) continue;
@@ -71,17 +69,10 @@ template <class T>
       told = numbers.level_corner(places, f, whole, step);
     } else {
       std::optional<Gap<T>> gap;
-      if (const auto& g = to.gap[i]) gap.emplace(Gap<T>{number_of<T>(g->height), number_of<T>(g->whole)});
+      if (const auto& g = to.gap[i]) gap.emplace(Gap<T>{pair_of(g->height), pair_of(g->whole)});
       told = numbers.corner(places, f, to.open.begin()[i], gap);
     }
   }
-}
-PLUMB_WITH_FMA void corners_fused(const Pair& p, const Matched& m, const Whole& whole, CornersSoFar& to) {
-  corners_over<parting::FusedPair>(p, m, whole, to);
-}
-/// Where a product's error is one instruction; else balls are no slower.
-void tell_by_pairs(const Pair& p, const Matched& m, const Whole& whole, CornersSoFar& to) {
-  if (has_fma) corners_fused(p, m, whole, to);
 }
 
 /// Of those whose distance is left open: by integers.  Is one known that was not?
@@ -128,13 +119,13 @@ std::optional<Whole> QuickNumbers::whole() const {
   Open open = Open::distance;
   std::optional<Ball> height;
   const auto known = [&] { return height ? &*height : nullptr; };
-  const auto by_pairs = [&] { return has_fma ? whole_fused(pair_, open, known()) : std::nullopt; };
+  const auto by_pairs = [&] { return has_fma ? whole_fused(pair_, by_pairs_, open, known()) : std::nullopt; };
   if (const auto told = by_pairs()) return told;
   if (open == Open::distance && !pair_.difference().a.has_scale()) {  // else it is times the weights of poses
     height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); });
   }
   std::optional<Whole> told = height ? by_pairs() : std::nullopt;
-  if (!told) told = whole_over<Ball>(pair_, open, known());
+  if (!told) told = whole_by_balls(pair_, open, known());
   if (told) told->is_by_integers = height.has_value();
   return told;
 }
@@ -149,8 +140,11 @@ QuickCorners QuickNumbers::corners(const Matched& m, const Whole& whole) const {
     }
     (void)find_gaps(pair_, m, corners);
   }
-  tell_by_pairs(pair_, m, whole, corners);
-  if (!corners.are_told() && find_gaps(pair_, m, corners)) tell_by_pairs(pair_, m, whole, corners);
+  const auto tell_by_pairs = [&] {  // where a product's error is one instruction; else balls are no slower
+    if (by_pairs_) corners_fused(*by_pairs_, pair_, m, whole, corners);
+  };
+  tell_by_pairs();
+  if (!corners.are_told() && find_gaps(pair_, m, corners)) tell_by_pairs();
   if (!corners.are_told()) tell_by_balls(pair_, m, corners);
   if (!corners.are_told() && find_gaps(pair_, m, corners)) tell_by_balls(pair_, m, corners);
   return corners.told;

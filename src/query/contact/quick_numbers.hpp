@@ -14,6 +14,14 @@ namespace plumb::query::touching {
 
 using QuickCorners = parting::ShortList<std::optional<Corner>, 8>;
 
+/// What is computed of a pair by pairs of doubles before any corner is.
+struct ToldByPairs {
+  ToldNumbers<parting::FusedPair> numbers;
+  parting::FusedPair height;
+
+  explicit ToldByPairs(const Pair& p) : numbers(p), height(numbers.height()) {}
+};
+
 class QuickNumbers {
  public:
   explicit QuickNumbers(const Pair& p) : pair_(p) {}
@@ -23,6 +31,7 @@ class QuickNumbers {
 
  private:
   const Pair& pair_;
+  mutable std::optional<ToldByPairs> by_pairs_;  // when it is first asked for
 };
 
 }  // namespace plumb::query::touching

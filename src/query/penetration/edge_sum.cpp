@@ -8,17 +8,17 @@ std::optional<int> coordinate_axis(const Vector3& v) {
   return v.x != 0 ? 0 : v.y != 0 ? 1 : 2;
 }
 
-/// 1 or -1 of axes that are parallel without arithmetic, else 0.
-int alike(const Vector3& u, const Vector3& v) {
+/// 1 or -1 of axes that are parallel without arithmetic, else 0.  `axis`: the one of space that v is along.
+int alike(const Vector3& u, const Vector3& v, const std::optional<int>& axis) {
   if (u == v) return 1;
   if (u == Vector3{-v.x, -v.y, -v.z}) return -1;
-  const auto axis = coordinate_axis(u);
-  if (!axis || axis != coordinate_axis(v)) return 0;
+  if (!axis || axis != coordinate_axis(u)) return 0;
   const double x = u.x + u.y + u.z, y = v.x + v.y + v.z;  // but one of them is not zero
   return (x > 0) == (y > 0) ? 1 : -1;
 }
 
 bool turns_alike(const AnyPoseView& p, const AnyPoseView& q) {
+  if (p.stands() && q.stands()) return true;
   if (p == q) return true;
   return std::visit(
       []<class P, class Q>(const P& of_p, const Q& of_q) {
@@ -45,16 +45,17 @@ EdgeSum::EdgeSum(const Difference& d) : of_(d) {
 void EdgeSum::add(std::uint32_t body, const CoreCorners& c, std::uint32_t bit) {
   const auto along = c.axis_of_edge(bit);
   if (along && *along == Vector3{}) return;
+  const std::optional<int> axis = along ? coordinate_axis(*along) : std::nullopt;
   for (std::uint32_t g = 0; g < groups_ && along; ++g) {
     if (!along_[g] || !turns_alike(pose_[g], c.pose())) continue;
-    if (const int way = alike(*along_[g], *along); way != 0) {
+    if (const int way = alike(*along_[g], *along, axis); way != 0) {
       edges_[size_++] = {body, bit, g, way < 0};
       return;
     }
   }
   const auto g = static_cast<std::uint32_t>(groups_++);
   along_[g] = along, pose_[g] = c.pose();
-  if (along && c.stands()) axis_[g] = coordinate_axis(*along);
+  if (c.stands()) axis_[g] = axis;
   edges_[size_++] = {body, bit, g, false};
 }
 
