@@ -10,5 +10,7 @@ namespace plumb::python {
 
 void add_errors(pybind11::module_& module);
 void add_signs(pybind11::module_& module);
+void add_mesh(pybind11::module_& module);
+void add_bvh(pybind11::module_& module);
 
 }  // namespace plumb::python
