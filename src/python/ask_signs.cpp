@@ -176,7 +176,7 @@ std::string place_of(const SignForm& form, std::size_t number) {
   return {};
 }
 
-/// Of item `flat` of the answer: " of row 17", " of row (2, 5)"; nothing where there is one item.
+/// Names item `flat` of the answer: " of row 17", " of row (2, 5)"; nothing where there is one item.
 std::string row_of(const std::vector<py::ssize_t>& shape, std::size_t flat) {
   if (shape.empty()) return {};
   std::vector<py::ssize_t> at(shape.size());

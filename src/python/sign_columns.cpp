@@ -39,7 +39,7 @@ Shape broadcast_shape(const std::vector<GivenNumbers>& given, const SignQuestion
   return all;
 }
 
-/// By how many bytes an argument goes on along each axis of the answer.
+/// Tells by how many bytes an argument goes on along each axis of the answer.
 Shape strides_along(const GivenNumbers& given, const Shape& shape) {
   const Shape own = outer_shape(given);
   Shape strides(shape.size(), 0);

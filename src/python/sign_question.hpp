@@ -82,14 +82,14 @@ std::vector<SignArgument> sign_arguments(const std::array<const char*, sizeof...
   return {SignArgument{names[next++], axes_of<A>(), letters_of<A>()}...};
 }
 
-/// Of a formula of the manifest, whose arguments are these in turn.
+/// The question is a formula of the manifest, whose arguments are these in turn.
 template <class F, class... A>
 SignForm formula_form(const std::array<const char*, sizeof...(A)>& names) {
   static_assert((sizeof(A) + ...) / sizeof(double) == arity<F>);
   return {sign_arguments<A...>(names), &certify::batch::asked<F>, nullptr};
 }
 
-/// Of one of the four classics, which have batches of their own.
+/// The question is one of the four classics, which have batches of their own.
 template <class F, class... Point>
 SignForm classic_form(const std::array<const char*, sizeof...(Point)>& names, auto batch) {
   using Batch = decltype(batch);
@@ -104,7 +104,7 @@ SignForm classic_form(const std::array<const char*, sizeof...(Point)>& names, au
   return form;
 }
 
-/// Of a function without a capture that takes these.
+/// The question is a function without a capture that takes these.
 template <class... A, class Function>
 SignForm form(const std::array<const char*, sizeof...(A)>& names, Function) {
   return {sign_arguments<A...>(names), nullptr, [](const double* numbers) -> Sign {

@@ -4,7 +4,7 @@
 namespace plumb::python {
 namespace {
 
-/// In the plane and in space; the arguments are points or vectors alike.
+/// They are asked in the plane and in space; the arguments are points or vectors alike.
 template <class Function>
 std::vector<SignForm> of_two(std::array<const char*, 2> names, Function function) {
   return {form<Point2, Point2>(names, function), form<Point3, Point3>(names, function)};

@@ -14,6 +14,7 @@
 
 #include "plumb/plumb.hpp"
 #include "plumb/space/range/volume_range.hpp"
+#include "plumb/space/ray/open_winding.hpp"
 #include "space/bvh/meshes.hpp"
 
 namespace plumb {
@@ -184,6 +185,8 @@ TEST_F(KeptRows, OfListsOfBatches) {
 }
 
 TEST_F(KeptRows, OfMeshes) {
+  const Bvh open = build_bvh(TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  EXPECT_KEPT(BorderEdge, border_of(open, KEPT));
   const PosedMesh posed{mesh, pose};
   const PosedCompactMesh posed_compact{compact, pose};
   const auto ask = [&](const char* name, const auto& a, const auto& b) {

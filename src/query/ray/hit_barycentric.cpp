@@ -37,7 +37,7 @@ bool is_origin(const Exact& v) {
 }
 Rational square_of(const Exact& v) { return dot(v, v); }
 
-/// Of a point that is on the triangle, whose corners are on one line.
+/// The point is on the triangle, whose corners are on one line.
 ExactHitBarycentric along_edges(const std::array<Exact, 3>& corner, const Exact& point) {
   const auto at_corners = [](std::size_t i, const Rational& share) {  // from corner i to the next
     const std::size_t next = (i + 1) % 3;

@@ -158,7 +158,7 @@ class ClosestSearch {
   }
   /// By doubles that are off by so much: whether the exact triangles are asked, and when.
   void look_at(std::uint32_t slot_a, std::uint32_t slot_b, const Triangle3& s, const Triangle3& t, double off) {
-    if (meet_) return offer(slot_a, slot_b, true);
+    if (meet_ || !(off < beyond_all)) return offer(slot_a, slot_b, true);  // an image may be beyond all doubles
     const double d = plumb::distance(s, t), least = lowered(lowered(d) - off), most = raised(raised(d) + off);
     if (!(least > 0)) return offer(slot_a, slot_b, true);
     if (least > need_) return;

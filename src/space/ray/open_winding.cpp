@@ -45,7 +45,8 @@ Interval half_angle_of_strip(const BorderEdge& edge, const Point3& p, Interval p
 
 }  // namespace
 
-std::vector<BorderEdge> border_of(const Bvh& mesh) {
+std::vector<BorderEdge> border_of(const Bvh& mesh, std::vector<BorderEdge> rows) {
+  rows.clear();
   std::vector<bool> seen;
   std::vector<BorderEdge> edges;
   for (std::size_t slot = 0; slot < mesh.slots(); ++slot) {
@@ -61,14 +62,13 @@ std::vector<BorderEdge> border_of(const Bvh& mesh) {
   }
   const auto ends_of = [](const BorderEdge& e) { return std::tuple_cat(place_of(e.from), place_of(e.to)); };
   std::ranges::sort(edges, [&](const BorderEdge& a, const BorderEdge& b) { return ends_of(a) < ends_of(b); });
-  std::vector<BorderEdge> border;
   for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
     BorderEdge sum = edges[i];
     for (j = i + 1; j < edges.size() && ends_of(edges[j]) == ends_of(sum); ++j) sum.times += edges[j].times;
     if (sum.times < 0) sum = {sum.to, sum.from, -sum.times};
-    if (sum.times != 0) border.push_back(sum);
+    if (sum.times != 0) rows.push_back(sum);
   }
-  return border;
+  return rows;
 }
 
 std::optional<WindingInterval> generalized_winding_number(const Bvh& mesh, std::span<const BorderEdge> border,

@@ -70,7 +70,7 @@ void find_free(const Places& places, const MarkedPoints& free, std::uint32_t pla
   free.add_within(places.points[place], tolerance, near);
 }
 
-/// Of each place the least place of its group: what is reached from it, step by step.
+/// Tells of each place the least place of its group: what is reached from it, step by step.
 std::vector<std::uint32_t> chain_groups(const Places& places, MarkedPoints& free, const WeldOptions& options) {
   std::vector<std::uint32_t> least(places.points.size(), no_group), near, reached;
   for (std::uint32_t i = 0; i < least.size(); ++i) {

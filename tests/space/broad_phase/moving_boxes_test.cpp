@@ -149,7 +149,7 @@ TEST(MovingBoxes, AreSettledOneByOneWhereThatIsCheaper) {
 // some gather in one place.
 TEST(MovingBoxes, AreSweptInColumnsThatStay) {
   for (const bool touching : {true, false}) {
-    Entropy e(2055, touching ? 1 : 0);
+    Entropy e(2058, touching ? 1 : 0);
     Replay replay({.touching = touching});
     const std::size_t n = battery::sanitized ? 1200 : 1500;
     const auto place = [&] { return std::floor(part(e) * 96) / 8; };  // on a lattice: many touch
@@ -158,6 +158,10 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
       return {p, {p.x + 0.125 * double(e.below(9)), p.y + 0.125 * double(1 + e.below(8)), p.z + 1}};
     };
     const auto step = [&] { return 0.125 * (static_cast<double>(e.below(3)) - 1); };
+    const auto trembling = [&](const Aabb3& box, bool in_plane) {
+      const double x = step(), y = step();  // compilers draw the arguments of a function in another order
+      return moved(box, x, y, in_plane ? 0 : step());
+    };
     const auto expect = [&](const std::string& about, int times) {
       for (int i = 0; i < times; ++i) {
         replay.remove(e.below(replay.boxes.size()));
@@ -174,7 +178,7 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
           if (frame == 8) box = {{box.min.x, box.min.y, 1}, {box.max.x, box.max.y, 1}};
           if (frame == 10) box = moved(box, 0, 0, e.coin() ? 0.5 : 0);
           if (frame == 11) box = moved(box, 4000, 0, 0);
-          if (frame < 8) box = moved(box, step(), step(), step());
+          if (frame < 8) box = trembling(box, false);
           if (frame < 8 && e.below(16) == 0) box = some_box();
         }
         replay.world.move(replay.handles, replay.boxes);
@@ -184,7 +188,7 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
         for (int times = 0; times < 20; ++times) {
           const std::size_t i = e.below(replay.boxes.size());
           Aabb3& box = replay.boxes[i];
-          box = e.coin() ? moved(box, step(), step(), frame > 7 ? 0 : step()) : replay.boxes[e.below(n / 2)];
+          box = e.coin() ? trembling(box, frame > 7) : replay.boxes[e.below(n / 2)];
           replay.world.move(replay.handles[i], box);
         }
         expect("a few in frame " + std::to_string(frame), 3);
@@ -205,7 +209,8 @@ TEST(MovingBoxes, AreSweptInColumnsThatStay) {
     EXPECT_EQ(replay.kept, kept);
     const MovingWork& work = replay.work;
     if (battery::sanitized) continue;  // of fewer boxes
-    EXPECT_TRUE(work.from_scratch && !work.made_anew && work.cost_to_keep < work.cost_from_scratch);
+    EXPECT_TRUE(work.from_scratch && !work.made_anew && work.cost_to_keep < work.cost_from_scratch)
+        << work.from_scratch << ' ' << work.made_anew << ' ' << work.cost_to_keep << ' ' << work.cost_from_scratch;
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/thrown.hpp"
@@ -200,6 +201,24 @@ TEST(PosedClosest, OfManyEquallyNearIsTheFirst) {
     EXPECT_EQ(std::pair(near->a, near->b), std::pair(first_a, first_b)) << "case " << index;
     EXPECT_EQ(near->closest.distance, rounded_root(Rounding::nearest, *least)) << "case " << index;
   }
+}
+
+TEST(PosedClosest, ReachesBeyondTheDoubles) {
+  const double most = std::numeric_limits<double>::max();
+  const Bvh unit = build_bvh(TriangleMesh{{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {{0, 1, 2}}});
+  Pose right = identity_pose;
+  right.columns[0].x = right.translation.x = most;
+  Pose above = right, left = right;
+  above.translation.y = 4;
+  left.columns[0].x = left.translation.x = -most;
+  const auto near = closest_triangles({unit, right}, {unit, above});  // the images are beyond the doubles
+  ASSERT_TRUE(near);
+  EXPECT_EQ(near->closest.distance, 3);
+  EXPECT_EQ(distance({unit, right}, {unit, above}), 3);
+  EXPECT_TRUE(within({unit, right}, {unit, above}, 3));
+  EXPECT_FALSE(within({unit, right}, {unit, above}, std::nextafter(3, 0)));
+  EXPECT_EQ(distance({unit, right}, {unit, left}), INFINITY);  // four times the largest double
+  EXPECT_EQ(closest_on_mesh({unit, right}, Point3{0, 0, 0})->distance, INFINITY);
 }
 
 TEST(PosedClosest, RefusesWhatIsNone) {

@@ -121,7 +121,7 @@ void expect_same(const std::optional<Root>& time, const std::optional<Root>& exp
 
 TEST(PosedTranslating, MeetsFirstWhatAllExactlyPosedPairsMeetFirst) {
   std::array<std::size_t, 3> counts{};  // never, at the start, later
-  shape_cases::on_shapes(3302, battery::fitting(100), [&](Material& m) {
+  shape_cases::on_shapes(3302, battery::fitting(150), [&](Material& m) {
     const TriangleMesh a = meshes::soup(m, 1 + m.below(4), m.below(4)), b = meshes::soup(m, 1 + m.below(4), m.below(4));
     const Pose pose_a = any_pose(m), pose_b = pose_like(m, pose_a);
     const bool along_a = m.below(3) == 0;

@@ -128,7 +128,7 @@ TEST(HitBarycentric, SaysTheExactPointInGeneralPosition) {
   EXPECT_GT(seen.inside, battery::fitting(2000));
 }
 
-/// Of every triangle of a mesh, kept and standing in any way.
+/// Asks every triangle of a mesh, kept and standing in any way.
 TEST(HitBarycentric, OfMeshesIsThatOfTheirTriangles) {
   Seen seen;
   on_shapes(1753, battery::fitting(400), [&](Material& m) {

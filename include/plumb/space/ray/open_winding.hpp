@@ -13,7 +13,7 @@
 // are none, whichever vertices name them, and none is where triangles pass it as often either way.  (4) Of numbers beyond
 // some 10^150 the interval may have all numbers that the border allows.
 // A point that is NaN or infinite throws NonFinite.
-// Source: Jacobson, Kavan and Sorkine-Hornung 2013; Van Oosterom and Strackee 1983 for the angle.
+// Source: RTCD 5.4.3; Jacobson, Kavan and Sorkine-Hornung 2013; Van Oosterom and Strackee 1983 for the angle.
 // Cost: that of winding_number, and some microseconds for each edge of the border; the border sorts all edges.  Bounded by
 // n log n comparisons, and n signs a point on integers as long as the exponents' span.
 #pragma once
@@ -34,7 +34,7 @@ struct BorderEdge {
   friend bool operator==(const BorderEdge&, const BorderEdge&) = default;
 };
 
-std::vector<BorderEdge> border_of(const Bvh& mesh);
+std::vector<BorderEdge> border_of(const Bvh& mesh, std::vector<BorderEdge> rows = {});
 
 struct WindingInterval {
   double least, most;
