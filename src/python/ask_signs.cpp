@@ -124,7 +124,7 @@ void ask_one_by_one(SignOfOne one, const Columns& columns, std::span<Sign> out) 
   });
 }
 
-/// Where each argument begins, if its items lie one after the other; nothing otherwise.
+/// Tells where each argument begins, if its items lie one after the other; nothing otherwise.
 std::vector<const double*> rows_in(const SignForm& form, const Columns& columns) {
   std::vector<const double*> rows;
   std::size_t first = 0;

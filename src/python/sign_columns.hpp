@@ -1,4 +1,4 @@
-// Where do the numbers of each item stand?  The items of several arrays, broadcast against one another, as columns.
+// Where do the numbers of each item stand?  Items of several arrays are broadcast against one another, and stand as columns.
 //
 // Laws: (1) axes before the last ones broadcast as NumPy's do: aligned at their ends, an axis of length 1 repeats.
 //       (2) Axes that follow one another in memory, in all arguments, become one run of items.  (3) Where runs would be

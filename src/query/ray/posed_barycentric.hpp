@@ -9,7 +9,7 @@
 
 namespace plumb::query {
 
-/// Of finite numbers.
+/// The numbers must be finite.
 std::optional<HitBarycentric> hit_barycentric(const AnyRay& ray, const PosedTriangle3& triangle);
 std::optional<ExactHitBarycentric> exact_hit_barycentric(const AnyRay& ray, const PosedTriangle3& triangle);
 

@@ -96,11 +96,11 @@ void hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::vec
 void count_hits(const MeshView& mesh, std::span<const AnyRay> rays, std::span<std::size_t> out,
                 const ManyRays& options = {});
 
-/// Where in a triangle of the mesh, by its number, the ray hits it.
+/// Tells where the ray hits a triangle of the mesh, which is named by its number.
 std::optional<HitBarycentric> hit_barycentric(const MeshView& mesh, const AnyRay& ray, std::uint32_t triangle);
 std::optional<ExactHitBarycentric> exact_hit_barycentric(const MeshView& mesh, const AnyRay& ray,
                                                          std::uint32_t triangle);
-/// Of each ray in a triangle of its own, such as first_triangle tells; nothing of no_triangle.
+/// Each ray is asked of a triangle of its own, such as first_triangle tells; no_triangle has no answer.
 void hit_barycentric(const MeshView& mesh, std::span<const AnyRay> rays, std::span<const std::uint32_t> triangles,
                      std::span<std::optional<HitBarycentric>> out, Execution execution = Execution::parallel);
 
