@@ -35,8 +35,11 @@ set(docs_sanitize)
 if(PLUMB_SANITIZE)
   set(docs_sanitize -fsanitize=${PLUMB_SANITIZE})
 endif()
-# What of ours is in headers alone, these instantiate; what the others call is compiled in the libraries.
+# What of ours is in headers alone, these instantiate: they are compiled anew where they are to be watched.  What the others
+# call is compiled in the libraries.
 set(inline_tests "arith|certify|classic")
+# Of those the libraries' compiler compiles what it also optimizes (tests/inline).
+set(own_compiler_tests "certify|classic")
 set(optimized_tests "^certify/[^o]|^figure/(hull/hull3|containment/contains_random)_|^query/(time_of_impact/continuous_contact_|overlap/round_|closest/(batch|cases|closest|pairs)_)")
 # Of those these run as long without: what they compile is functions that are called a few times.
 set(plain_tests "^certify/(broken_stages|worlds)_")

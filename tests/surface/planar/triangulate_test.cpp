@@ -131,7 +131,7 @@ TEST(Triangulate, RandomSimplePolygons) {
 TEST(Triangulate, RandomHoles) {
   std::mt19937 random(8);
   int holes = 0;
-  while (holes < 1500) {
+  while (holes < battery::fitting(1500)) {
     Grid hole(3 + random() % 6);
     const long at = 1 + holes % 3;
     for (auto& p : hole) p = {at + static_cast<long>(random() % 5), at + static_cast<long>(random() % 5)};
@@ -162,7 +162,7 @@ TEST(Triangulate, RandomHoles) {
 TEST(Triangulate, AnyClosedPath) {
   std::mt19937 random(5);
   int fans = 0;
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < battery::fitting(20000); ++round) {
     Grid g(3 + random() % 9);
     for (auto& p : g) p = {static_cast<long>(random() % 4), static_cast<long>(random() % 4)};
     const Cut found = cut(g);
@@ -173,7 +173,7 @@ TEST(Triangulate, AnyClosedPath) {
     fans += !found.simple;
     EXPECT_TRUE(!found.simple || positive == 0 || negative == 0);
   }
-  EXPECT_GT(fans, 1000);
+  EXPECT_GT(fans, battery::fitting(1000));
 }
 
 TEST(Triangulate, KnownShapes) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "certify/sanitized.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/surface/repair/repair.hpp"
@@ -85,7 +86,7 @@ TriangleMesh some_voxels(std::mt19937& random, int n) {
 
 TEST(MergeCoplanar, AsAllPairsOfNeighborsSay) {
   std::size_t holed = 0, touching_themselves = 0;
-  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+  for (std::uint32_t seed = 0; seed < (battery::sanitized ? 8u : 30u); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const TriangleMesh mesh = some_voxels(random, 2 + static_cast<int>(seed % 4));
@@ -101,8 +102,8 @@ TEST(MergeCoplanar, AsAllPairsOfNeighborsSay) {
     }
     for (std::uint32_t t = 0; t < least.size(); ++t) EXPECT_LE(least[t], t);
   }
-  EXPECT_GT(holed, 5U);
-  EXPECT_GT(touching_themselves, 5U);
+  EXPECT_GT(holed, battery::sanitized ? 0U : 5U);
+  EXPECT_GT(touching_themselves, battery::sanitized ? 0U : 5U);
 }
 
 TEST(MergeCoplanar, ClosedStaysClosedWhateverTheOrder) {
