@@ -3,6 +3,9 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS plumb_predicates plumb_batch plumb_classic plumb_degenerate plumb_plumb EXPORT plumb_targets)
+if(PLUMB_BUILD_C)
+  install(TARGETS plumb_c EXPORT plumb_targets)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/plumb DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" PATTERN predicates EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/predicates/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/predicates
@@ -59,3 +62,9 @@ plumb_write_pc(plumb-degenerate "Hard inputs for geometric code${needs_cxx20}" p
 plumb_write_pc(plumb "${PROJECT_DESCRIPTION}${needs_cxx20}" plumb
   "plumb-batch = ${PROJECT_VERSION}, plumb-degenerate = ${PROJECT_VERSION}, plumb-predicates = ${PROJECT_VERSION}"
   "${PLUMB_plumb_NEEDS}")
+if(PLUMB_BUILD_C)  # shared whatever the others are, so that its needs are its own
+  set(others_shared ${BUILD_SHARED_LIBS})
+  set(BUILD_SHARED_LIBS ON)
+  plumb_write_pc(plumb-c "Figures, meshes and signs for C and what calls C" plumb_c "" "")
+  set(BUILD_SHARED_LIBS ${others_shared})
+endif()

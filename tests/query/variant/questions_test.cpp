@@ -10,6 +10,7 @@
 #include "query/body/pair_questions.hpp"
 #include "query/body/posed_cases.hpp"
 #include "query/body/rigid_cases.hpp"
+#include "query/variant/all_kinds.hpp"
 #include "query/variant/outcome.hpp"
 
 namespace plumb::pair_cases {
@@ -64,19 +65,6 @@ void expect_all_pairs(std::uint64_t start) {
 }
 TEST(AnyFigure, AnswersAsTheKindsOfThePlane) { expect_all_pairs<Plane>(100); }
 TEST(AnyFigure, AnswersAsTheKindsOfSpace) { expect_all_pairs<Space>(1000); }
-
-template <class... Shapes>
-std::vector<Some> one_of_each(Types<Shapes...>, Material& m) {
-  std::vector<Some> all;
-  (all.push_back(Some(figure<Shapes>(m))), ...);
-  return all;
-}
-/// Of the plane, then of space.
-std::vector<Some> all_kinds(Material& m) {
-  std::vector<Some> all = one_of_each(Plane{}, m);
-  for (const Some& s : one_of_each(Space{}, m)) all.push_back(s);
-  return all;
-}
 
 template <class Call>
 bool is_unsupported(Call call) {

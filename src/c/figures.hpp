@@ -1,0 +1,21 @@
+// Which figure does a caller in C mean?
+//
+// Laws: the figure is what its kind, dimension, numbers and pose say; what is no figure is left to the question, which
+// throws as it does for C++.
+// Source: none.
+// Cost: a copy of its numbers; of a kept figure, of a pointer to its lists.
+#pragma once
+
+#include "c/guarded.hpp"
+#include "plumb/query/body/any_figure.hpp"
+
+struct plumb_kept {
+  plumb::AnyFigure figure;
+};
+
+namespace plumb::c {
+
+/// Throws InvalidArgument by the name of the argument.
+AnyFigure figure_of(const plumb_figure* given, const char* argument);
+
+}  // namespace plumb::c
