@@ -35,7 +35,8 @@ if(PLUMB_BENCH_LEVEL)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # What GCC sees in CGAL's spheres and TBB's counters is not there.
-  set_property(SOURCE rivals/chart_cgal_figures_rival.cpp rivals/meshes/cgal_rival.cpp APPEND PROPERTY COMPILE_OPTIONS
+  set_property(SOURCE rivals/chart_cgal_figures_rival.cpp
+    rivals/chart_cgal_triangulations_rival.cpp rivals/meshes/cgal_rival.cpp APPEND PROPERTY COMPILE_OPTIONS
     -Wno-maybe-uninitialized -Wno-stringop-overflow)
 endif()
 

@@ -24,10 +24,12 @@ const std::set<std::string> kIncomplete{
     "ray-triangle",           "segment-triangle",    "triangle-triangle",  "obb-obb",
     "point-in-polygon",       "point-in-polyhedron", "vertex-face-motion", "edge-edge-motion",
     "point-triangle-distance"};
-/// Tasks on meshes and on many things: other methods, and answers in full.
+/// Tasks on meshes, on many things and on polygons to be cut: other methods, and answers in full.
 const std::set<std::string> kOfMany{"closest-hit", "mesh-pairs",    "mesh-distance", "closest-point-on-mesh",
-                                    "box-pairs",   "nearest-point", "grid-walk"};
-const std::set<std::string> kListing{"mesh-pairs", "mesh-distance", "box-pairs", "grid-walk"};  // take memory
+                                    "box-pairs",   "nearest-point", "grid-walk",     "triangulation",
+                                    "welding"};
+const std::set<std::string> kListing{"mesh-pairs", "mesh-distance", "box-pairs",
+                                     "grid-walk",  "triangulation", "welding"};  // take memory
 const std::set<std::string> kOfTheCode{"interval", "static-filter", "adaptive", "integers", "rationals"};  // branching
 const std::set<std::string> kUnderflowing{"extreme", "mixture", "off_by_ulps", "repeated"};  // or overflowing
 
@@ -234,8 +236,30 @@ TEST(Report, CountsWhatIsMissedOrFarOff) {
     EXPECT_THAT(names, testing::IsSupersetOf({"float32", "double", "exact"})) << task;
     EXPECT_EQ(names.contains("batch"), task.starts_with("closest-") || task == "nearest-point") << task;
   }
-  for (const char* task : {"mesh-pairs", "closest-point-on-mesh", "box-pairs", "nearest-point", "grid-walk"})
+  for (const char* task :
+       {"mesh-pairs", "closest-point-on-mesh", "box-pairs", "nearest-point", "grid-walk", "triangulation", "welding"})
     EXPECT_GT(of_floats[task], 0U) << task;
+}
+
+TEST(Report, SaysWhoLosesVerticesAndWhoseResultHangsOnTheOrder) {
+  const auto row = [](const std::string& task, const std::string& input, const std::string& method) {
+    json found;
+    each([&](const std::string& t, const std::string& i, const json& m) {
+      if (t == task && i == input && m.at("method") == method) found = m;
+    });
+    return found;
+  };
+  const auto all_wrong = [&](const std::string& task, const std::string& input, const std::string& method) {
+    const json m = row(task, input, method);
+    return m.at("wrong") == m.at("asked");
+  };
+  for (const char* ears : {"float32", "double", "absolute", "relative", "long-double"})
+    EXPECT_GT(row("triangulation", "bridged_hole", ears).at("tallied")[0], 0) << ears;  // lost
+  EXPECT_TRUE(all_wrong("triangulation", "small", "absolute"));
+  for (const char* way : {"grid", "hashing", "float32", "first-come"}) EXPECT_TRUE(all_wrong("welding", "chains", way));
+  const json first_come = row("welding", "chains", "first-come");
+  EXPECT_EQ(first_come.at("inconsistent"), first_come.at("asked"));
+  EXPECT_EQ(first_come.at("tallied")[0], 0);  // no pair that is false
 }
 
 TEST(Report, IsAPageThatNeedsNothingElse) {

@@ -35,6 +35,8 @@ harmless to exactly degenerate, and judged in GMP's rationals:
        box-pairs: which boxes of a set overlap?
        nearest-point: which of many points is nearest to a place?
        grid-walk: which cells of a grid does a segment visit?
+       triangulation: into which triangles does a polygon fall?
+       welding: which vertices are one, joined by short steps?
 
 wrong  The share of wrong answers; of numbers, of those that are not the
        nearest double.
@@ -45,12 +47,14 @@ inconsistent
        the arguments are given in another order.
 ulps   Of numbers, how many doubles lie between the answer and the
        nearest one: in the mean, and at most.
-missed, wrong pairs, far off, false and missed pairs and cells
-       Of meshes and of many things, counts of what is worse than wrong:
-       rays that hit nothing where there is something, pairs and cells
-       too many or too few, distances off by more than 1e-4. Of
-       triangles and points that are equally first or near each is
-       right.
+missed, wrong pairs, far off, false and missed pairs and cells, lost,
+other area, overlapping
+       Of meshes, many things and polygons, counts of what is worse than
+       wrong: rays that hit nothing where there is something, pairs and
+       cells too many or too few, distances off by more than 1e-4,
+       triangles that lack a vertex, cover another area than the
+       polygon's or overlap. Of triangles and points that are equally
+       first or near each is right.
 ns     Nanoseconds a question, on one thread: the least of a few rounds.
 allocations
        How often memory is asked for, a question.
@@ -81,6 +85,9 @@ integers       Integers of any length, always; where code divides, their
 rationals      GMP's rationals, always.
 advancement    Conservative advancement, of what moves.
 recomputed     As double, with each parameter divided for anew.
+grid, hashing, first-come
+               Vertices rounded to multiples of the tolerance, by their
+               bits, each to the first that is near.
 plan           Ours, in the arithmetic that the inputs' lattice needs.
 exact          Ours, one question at a time.
 batch          Ours, over spans, on one thread.

@@ -35,7 +35,9 @@ std::vector<Task> all_tasks(std::span<const Rival> rivals) {
                               closest_point_task,
                               box_pairs_task,
                               nearest_point_task,
-                              grid_walk_task};
+                              grid_walk_task,
+                              triangulation_task,
+                              welding_task};
   for (const auto make : makers) tasks.push_back(make());
   for (Task& task : tasks) {
     for (const Rival& rival : rivals) {

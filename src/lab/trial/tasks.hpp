@@ -1,7 +1,7 @@
 // Which questions does the laboratory put to the methods?  The four classics, which the program asks as well, and these.
 //
 // Law: a task is told once, wherever it is asked: by `plumb-lab chart`, as test vectors, in experiments.
-// Source: RTCD 3, 5, 6, 7, 11.2.
+// Source: RTCD 3, 5, 6, 7, 11.2, 12.
 // Cost: none, a list.
 #pragma once
 
@@ -48,6 +48,8 @@ Task closest_point_task();
 Task box_pairs_task();
 Task nearest_point_task();
 Task grid_walk_task();
+Task triangulation_task();
+Task welding_task();
 
 /// For test vectors alone: no task of the report.
 Task ray_mesh_task();

@@ -35,7 +35,7 @@ constexpr std::string_view kStyle = R"(<style>
   details div { overflow-x: auto; }
   .fold { border: 1px solid var(--line); border-radius: 6px; margin: 16px 0; } .fold article { background: var(--paper); }
   .wide { width: min(96vw, 1500px); position: relative; left: 50%; transform: translateX(-50%); }
-  .summary { font-size: 12px; line-height: 1.35; width: 100%; } .summary th, .summary td { vertical-align: top; padding-right: 4px; }
+  .summary { font-size: 11px; line-height: 1.35; width: 100%; } .summary th, .summary td { vertical-align: top; padding-right: 4px; }
   .summary td, .summary small { white-space: nowrap; font-size: inherit; }
   .summary thead th { vertical-align: bottom; }
   .summary thead th:not(:first-child) { writing-mode: vertical-rl; transform: rotate(180deg); padding: 0 0 4px; text-align: left; }

@@ -29,6 +29,7 @@ void add_ccd(Rivals& all);
 void add_cgal_figures(Rivals& all);
 void add_cgal_meshes(Rivals& all);
 void add_cgal_predicates(Rivals& all);
+void add_cgal_triangulations(Rivals& all);
 void add_crowds(Rivals& all);
 void add_eigen(Rivals& all);
 void add_embree(Rivals& all);
