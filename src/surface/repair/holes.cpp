@@ -76,9 +76,9 @@ std::vector<Hole> holes_of(RepairWork& work, const MeshEdges& edges) {
   for (const BoundaryLoop& boundary : boundary_loops(work.mesh, edges)) {
     const auto& v = boundary.vertices;
     if (!boundary.closed) {
-      work.note(ChangeKind::open_chain, v[0], v.size() - 1);
+      work.note_hole(ChangeKind::open_chain, v, v.size() - 1);
     } else if (windings.orientable[windings.components.of[uses_between(edges, v.back(), v.front())[0].face]] == 0) {
-      work.note(ChangeKind::one_sided_hole, v[0], v.size());
+      work.note_hole(ChangeKind::one_sided_hole, v, v.size());
     } else {
       for (std::vector<std::uint32_t>& loop : simple_loops(turned_against(work.mesh, edges, v))) {
         begin_with_first(work.mesh.vertices, loop);
@@ -207,8 +207,10 @@ void holes_step(RepairWork& work) {
   }
   for (const Hole& h : holes) {
     if (h.filled && h.filling.empty()) continue;  // an island
-    const ChangeKind kind = h.filled ? ChangeKind::filled_hole : h.tied ? ChangeKind::tied_hole : ChangeKind::kept_hole;
-    work.note(kind, h.loop[0], h.filled ? h.filling.size() : h.loop.size());
+    if (h.filled)
+      work.note(ChangeKind::filled_hole, h.loop[0], h.filling.size());
+    else
+      work.note_hole(h.tied ? ChangeKind::tied_hole : ChangeKind::kept_hole, h.loop, h.loop.size());
     work.mesh.triangles.insert(work.mesh.triangles.end(), h.filling.begin(), h.filling.end());
   }
 }

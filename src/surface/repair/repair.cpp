@@ -3,9 +3,11 @@
 #include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "figure/basic/mesh_input.hpp"
 #include "surface/repair/steps.hpp"
+#include "surface/repair/still_left.hpp"
 #include "surface/repair/weld_groups.hpp"
 
 namespace plumb {
@@ -87,12 +89,15 @@ Repaired repair(TriangleMesh mesh, std::span<const RepairStep> steps, const Repa
   require_mesh("repair", mesh);
   surface::RepairWork work{std::move(mesh), {}, options.execution};
   const std::size_t parts = steps.size() + (options.judge ? 1 : 0);
+  std::vector<std::size_t> first_change;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     work.step = steps[i];
+    first_change.push_back(work.changes.size());
     steps_of_repair[static_cast<std::size_t>(steps[i].kind)].run(work);
     if (options.progress && !options.progress(static_cast<double>(i + 1) / static_cast<double>(parts)))
       throw Cancelled("repair: stopped by its progress");
   }
+  surface::leave_out_what_was_mended(work, steps, first_change);
   Repaired done{std::move(work.mesh), std::move(work.changes), {}};
   if (options.judge) done.faults = find_faults(done.mesh, {.execution = options.execution});
   if (options.judge && options.progress) options.progress(1.0);

@@ -16,9 +16,17 @@ struct RepairWork {
   RepairStep step{};
   Execution execution = Execution::parallel;
   std::vector<RepairChange> changes{};
+  std::vector<std::vector<Point3>>
+      around_holes{};  // the loop of each change that tells of a hole left (still_left.hpp)
 
   void note(ChangeKind kind, std::uint32_t vertex, std::uint64_t count = 1, double distance = 0) {
     changes.push_back({kind, step.kind, mesh.vertices[vertex], count, distance});
+  }
+  /// Notes a hole that is left, by its loop.
+  void note_hole(ChangeKind kind, std::span<const std::uint32_t> loop, std::uint64_t edges) {
+    note(kind, loop[0], edges);
+    around_holes.emplace_back();
+    for (const std::uint32_t v : loop) around_holes.back().push_back(mesh.vertices[v]);
   }
   /// Leaves out the triangles that are marked; the others keep their order.
   void leave_out(std::span<const std::uint8_t> marked);

@@ -84,6 +84,68 @@ TEST(Repair, AHoleIsNotFilledThroughTheSurface) {
   EXPECT_EQ(done.faults.open_edges, 4U);
 }
 
+TEST(Repair, AHoleThatIsGoneInTheEndIsNotToldAsLeft) {
+  // The box without its lid, out of which a pillar stands.
+  TriangleMesh mesh = solids::box({0, 0, 0}, {4, 4, 1});
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return mesh.vertices[v].z == 1; });
+  });
+  solids::append(mesh, solids::box({1, 1, 0.5}, {2, 2, 3}));
+  const RepairStep holes{RepairKind::holes};
+  EXPECT_EQ(count(repair(mesh, {holes}), ChangeKind::kept_hole), 1U);
+  EXPECT_EQ(count(repair(mesh, {holes, holes}), ChangeKind::kept_hole), 1U) << "told once";
+  EXPECT_EQ(count(repair(mesh, {holes, {RepairKind::unused}}), ChangeKind::kept_hole), 1U);
+  const Repaired without_box = repair(mesh, {holes, {RepairKind::small_components, 0, 12}});
+  EXPECT_EQ(count(without_box, ChangeKind::removed_component), 1U);
+  EXPECT_EQ(count(without_box, ChangeKind::kept_hole), 0U) << "its component was left out";
+  EXPECT_EQ(without_box.faults.open_edges, 0U);
+  // Of two such boxes, one of them alone left out, one hole is left.
+  TriangleMesh larger = grid_box(3);
+  std::erase_if(larger.triangles, [&](const auto& t) {
+    return std::ranges::all_of(t, [&](std::uint32_t v) { return larger.vertices[v].z == 3; });
+  });
+  for (Point3& p : larger.vertices) p.x += 10;
+  solids::append(larger, solids::box({11, 1, 1.5}, {12, 2, 5}));
+  solids::append(mesh, larger);
+  EXPECT_EQ(count(repair(mesh, {holes}), ChangeKind::kept_hole), 2U);
+  const Repaired one = repair(mesh, {holes, {RepairKind::small_components, 0, 12}});
+  ASSERT_EQ(count(one, ChangeKind::kept_hole), 1U);
+  EXPECT_EQ(one.faults.open_edges, 12U);
+  for (const RepairChange& c : one.changes) {
+    EXPECT_TRUE(c.kind != ChangeKind::kept_hole || c.place.x >= 10);
+  }
+}
+
+TEST(Repair, OfAClosedMeshNoHoleIsToldAsLeft) {
+  std::mt19937 random(11);
+  std::size_t closed_later = 0, told = 0;
+  for (int i = 0; i < 200; ++i) {
+    TriangleMesh mesh;
+    const auto at = [&] { return static_cast<double>(random() % 3); };
+    for (int v = 0; v < 9; ++v) {
+      const double x = at(), y = at();
+      mesh.vertices.push_back({x, y, at()});
+    }
+    for (int t = 0; t < 14; ++t) {
+      const auto vertex = [&] { return static_cast<std::uint32_t>(random() % 9); };
+      const std::uint32_t a = vertex(), b = vertex();
+      mesh.triangles.push_back({a, b, vertex()});
+    }
+    const Repaired holes = repair(mesh, {{RepairKind::holes}}),
+                   done = repair(mesh, {{RepairKind::holes}, {RepairKind::zip, 2}});
+    const auto left = [&](const Repaired& r) {
+      return count(r, ChangeKind::kept_hole) + count(r, ChangeKind::tied_hole);
+    };
+    if (done.faults.open_edges == 0) {
+      closed_later += left(holes) > left(done);
+      EXPECT_EQ(left(done), 0U);
+    }
+    told += left(done);
+  }
+  EXPECT_GT(closed_later, 3U);
+  EXPECT_GT(told, 10U);
+}
+
 TEST(Repair, HolesInNoPlane) {
   TriangleMesh mesh = solids::torus(4, 1, 24, 17);
   const auto whole = mesh.triangles.size();

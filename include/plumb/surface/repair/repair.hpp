@@ -36,7 +36,8 @@
 // off first.  (3)
 // The same mesh with vertices and triangles in another order becomes the same mesh in another order, where equal points
 // are one vertex: weld comes first, or a step may tell them apart; threads change nothing.  (4) What cannot be mended
-// stays, and is in the list of changes (is_left).  (5) Crossing surfaces are not parted.
+// stays, and is in the list of changes (is_left), but for what a later step mended, took away or tells again.  (5)
+// Crossing surfaces are not parted.
 // A mesh that is none, a step that there is not and a negative tolerance throw InvalidShape; what is NaN or infinite
 // NonFinite.
 // Source: RTCD 12.1, 12.3, 12.5.1; Barequet and Sharir 1995 (least area).
