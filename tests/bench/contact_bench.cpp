@@ -1,10 +1,15 @@
-// How long does a contact of two bodies take, with all its corners?  Ours, exact, cold and with the cache of the frame
-// before, and Bullet's box detector and GJK with the expanding polytope algorithm.
+// How long does a contact of two bodies take, with all its corners?  Ours, exact, cold and with a cache, and Bullet's box
+// detector and GJK with the expanding polytope algorithm.
+//
+// The rows `again` ask the same pair with the cache that it left; the rows `frames/` ask truly the next frame: a cache is kept
+// for each pair, and between two of its questions both bodies have moved a little.  Their frames go forth and back, so
+// that none is far from the one before.  Bullet asks its detector anew in each frame, as its own scenes do.
 //
 // Scenes: a crate on a table, turned about the upright axis and so resting exactly, a millimeter above, a millimeter in
 // it; the same on a slope, where no axis is exactly parallel to another; the neighbors in towers of four crates that all but
-// rest, as in docs/examples/stack; hulls of 32 vertices that overlap barely, or are barely apart.  Bullet's boxes tell
-// nothing of what is apart; its hulls tell one point a call.
+// rest, as in docs/examples/stack; hulls of 32 vertices that overlap barely, or are barely apart.  Frames: towers that
+// tremble, a crate that slides down the slope, one that spins on the table and one that spins on the slope, hulls that roll.
+// Bullet's boxes tell nothing of what is apart; its hulls tell one point a call.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -68,6 +73,53 @@ Pairs<Obb3> tower() {
   return all;
 }
 
+/// Of each frame, in order, the same pairs.
+template <class Shape>
+using Frames = std::vector<Pairs<Shape>>;
+constexpr int frame_count = 32;
+
+/// In each frame every crate has moved by some micrometers and turned by some microradians.
+Frames<Obb3> trembling() {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> n;
+  Frames<Obb3> all{tower()};
+  const auto moved = [&](Obb3 o) {
+    if (o.half.x > 1) return o;  // the ground
+    o.center = {o.center.x + 1e-6 * n(random), o.center.y + 1e-6 * n(random), o.center.z + 1e-6 * n(random)};
+    const Vector3 by{1e-6 * n(random), 1e-5 * n(random), 1e-6 * n(random)};
+    for (Vector3& v : o.axes) {
+      v = {v.x + by.y * v.z - by.z * v.y, v.y + by.z * v.x - by.x * v.z, v.z + by.x * v.y - by.y * v.x};
+    }
+    return o;
+  };
+  while (all.size() < frame_count) {
+    const Pairs<Obb3>& last = all.back();
+    Pairs<Obb3> next;
+    for (std::size_t i = 0; i < last.size(); ++i) {  // four levels a tower: each crate stands on the one before
+      const Obb3 under = i % 4 == 0 ? last[i].second : next[i - 1].first;
+      next.emplace_back(moved(last[i].first), under);
+    }
+    all.push_back(std::move(next));
+  }
+  return all;
+}
+
+/// A crate that goes on by `step` down the slope and by `turn` about its normal, sunk by what impulses leave.
+Frames<Obb3> going(double slope, double step, double turn) {
+  Frames<Obb3> all(frame_count);
+  for (int frame = 0; frame < frame_count; ++frame) {
+    for (int i = 0; i < 16; ++i) {
+      const auto under = axes(0, slope), upon = axes(0.1 * i + 0.05 + turn * frame, slope);
+      const Vector3 up = under[1], down = under[0];
+      const double h = 1 - 1e-4 * (1 + 0.1 * i) - 1e-6 * frame, along = step * frame;
+      const Point3 at{h * up.x + along * down.x, h * up.y + along * down.y, h * up.z + along * down.z};
+      all[static_cast<std::size_t>(frame)].emplace_back(Obb3{at, upon, {0.5, 0.5, 0.5}},
+                                                        Obb3{{0, 0, 0}, under, {8, 0.5, 8}});
+    }
+  }
+  return all;
+}
+
 ConvexPolyhedron3 hull_at(double x, std::mt19937_64& random) {
   std::vector<Point3> points;
   std::normal_distribution<double> n;
@@ -84,6 +136,22 @@ Pairs<ConvexPolyhedron3> hulls(double apart) {
   while (all.size() < 64) {
     auto a = hull_at(0, random), b = hull_at(apart, random);
     if (contact(a, b, {.margin = 0.5})) all.emplace_back(std::move(a), std::move(b));
+  }
+  return all;
+}
+
+/// The second of each pair goes on along all three axes.
+Frames<ConvexPolyhedron3> rolling(double apart) {
+  Frames<ConvexPolyhedron3> all{hulls(apart)};
+  all[0].resize(16);
+  while (all.size() < frame_count) {
+    Pairs<ConvexPolyhedron3> next = all.back();
+    for (auto& [a, b] : next) {
+      for (Point3& p : b.mesh.vertices) {  // a shear is as good as a turn, and keeps faces planar: these are triangles
+        p = {p.x - 1e-4, p.y + 1e-4 * p.z, p.z - 1e-4 * p.y};
+      }
+    }
+    all.push_back(std::move(next));
   }
   return all;
 }
@@ -105,7 +173,7 @@ void add(const std::string& name, const std::function<Pairs<Shape>()>& make, dou
   benchmark::RegisterBenchmark((name + "/plumb").c_str(), [=](benchmark::State& s) {
     run(s, made().size(), [&](std::size_t i) { return contact(made()[i].first, made()[i].second, options); });
   });
-  benchmark::RegisterBenchmark((name + "/cache").c_str(), [=](benchmark::State& s) {
+  benchmark::RegisterBenchmark((name + "/again").c_str(), [=](benchmark::State& s) {
     std::vector<ContactCache> caches(made().size());
     run(s, made().size(),
         [&](std::size_t i) { return contact(made()[i].first, made()[i].second, options, &caches[i]); });
@@ -114,6 +182,42 @@ void add(const std::string& name, const std::function<Pairs<Shape>()>& make, dou
   benchmark::RegisterBenchmark((name + "/bullet").c_str(), [=](benchmark::State& s) {
     std::vector<bench::AskContact> ask;
     for (const auto& [a, b] : made()) ask.push_back(bench::bullet_contact(a, b));
+    run(s, ask.size(), [&](std::size_t i) { return ask[i](); });
+  });
+#endif
+}
+
+/// Forth and back.
+std::size_t frame_at(std::size_t step) {
+  const std::size_t way = frame_count - 1, place = step % (2 * way);
+  return place < way ? place : 2 * way - place;
+}
+
+template <class Shape>
+void add_frames(const std::string& name, const std::function<Frames<Shape>()>& make, double margin) {
+  const auto frames = std::make_shared<std::optional<Frames<Shape>>>();
+  const auto made = [=]() -> const Frames<Shape>& { return *frames ? **frames : frames->emplace(make()); };
+  const ContactManifoldOptions options{.margin = margin};
+  const auto add_row = [&](const char* row, const auto& ask) {
+    benchmark::RegisterBenchmark((name + row).c_str(), [=](benchmark::State& s) {
+      const Frames<Shape>& all = made();
+      std::vector<ContactCache> caches(all[0].size());
+      std::size_t step = 0, i = 0;
+      for (auto _ : s) {
+        const auto& [a, b] = all[frame_at(step)][i];
+        benchmark::DoNotOptimize(ask(a, b, caches[i]));
+        if (++i == caches.size()) i = 0, ++step;
+      }
+    });
+  };
+  add_row("/plumb", [=](const Shape& a, const Shape& b, ContactCache&) { return contact(a, b, options); });
+  add_row("/cache", [=](const Shape& a, const Shape& b, ContactCache& c) { return contact(a, b, options, &c); });
+#ifdef PLUMB_BENCH_CONTACT_RIVALS
+  benchmark::RegisterBenchmark((name + "/bullet").c_str(), [=](benchmark::State& s) {
+    std::vector<bench::AskContact> ask;
+    for (const auto& pairs : made()) {
+      for (const auto& [a, b] : pairs) ask.push_back(bench::bullet_contact(a, b));
+    }
     run(s, ask.size(), [&](std::size_t i) { return ask[i](); });
   });
 #endif
@@ -133,6 +237,17 @@ const bool added = [] {
   const auto deep = [] { return hulls(1.6); };
   add<ConvexPolyhedron3>("hulls32/apart", near, 0.5);
   add<ConvexPolyhedron3>("hulls32/overlapping", deep, 0.5);
+  add_frames<Obb3>("frames/tower_trembles", trembling, 0.02);
+  add_frames<Obb3>(
+      "frames/box_slides_on_slope", [] { return going(0.3, 1e-3, 0); }, 0.02);
+  add_frames<Obb3>(
+      "frames/box_spins_on_table", [] { return going(0, 0, 0.01); }, 0.02);
+  add_frames<Obb3>(
+      "frames/box_spins_on_slope", [] { return going(0.3, 0, 0.01); }, 0.02);
+  add_frames<ConvexPolyhedron3>(
+      "frames/hulls32_roll_apart", [] { return rolling(1.95); }, 0.5);
+  add_frames<ConvexPolyhedron3>(
+      "frames/hulls32_roll_overlapping", [] { return rolling(1.6); }, 0.5);
   return true;
 }();
 
