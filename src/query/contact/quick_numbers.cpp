@@ -133,10 +133,12 @@ std::optional<Whole> QuickNumbers::whole() const {
 QuickCorners QuickNumbers::corners(const Matched& m, const Whole& whole) const {
   CornersSoFar corners(m.corners.size());
   if (!pair_.radii().are_doubles()) return corners.told;
+  if (by_pairs_) tell_box_corners(pair_, m, whole, by_pairs_->numbers.zeros(), corners.told);
+  if (corners.are_told()) return corners.told;
   if (whole.is_by_integers) {
     const LevelParts level(m);
     for (std::size_t i = 0; i < m.corners.size(); ++i) {
-      if (!level.has(m.corners[i])) corners.open.begin()[i] = Open::distance;
+      if (!corners.told[i] && !level.has(m.corners[i])) corners.open.begin()[i] = Open::distance;
     }
     (void)find_gaps(pair_, m, corners);
   }

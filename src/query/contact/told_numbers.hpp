@@ -59,6 +59,8 @@ std::optional<Sign> sign_where_certain(const T& x) {
   return parting::corner_of<Ball>(c, i);
 }
 
+[[gnu::noinline]] inline Vec<Ball> normal_by_balls(const Pair& p) { return p.normal<Ball>(); }
+
 /// What the numbers leave open.
 enum class Open : unsigned char { nothing, distance, place };
 
@@ -67,7 +69,7 @@ class ToldNumbers {
  public:
   explicit ToldNumbers(const Pair& p)
       : pair_(p),
-        normal_(p.normal<T>()),
+        normal_(normal_of(p)),
         square_(p.way().is_along_axis() ? T(1.0) : sparse_dot(normal_, normal_)),
         length_(is_one(square_) ? square_ : root(square_)),
         share_(over(T(1.0), length_)),
@@ -75,6 +77,9 @@ class ToldNumbers {
         limit_(radii_ + T(p.margin())) {}
 
   [[nodiscard]] const Vec<T>& normal() const { return normal_; }
+  [[nodiscard]] std::array<bool, 3> zeros() const {
+    return {is_none(normal_.x), is_none(normal_.y), is_none(normal_.z)};
+  }
   [[nodiscard]] T height() const { return pair_.height(normal_); }
 
   /// Of bodies that are so far apart, times the length of the normal.
@@ -166,6 +171,20 @@ class ToldNumbers {
   [[nodiscard]] Vec<T> step(const T& height) const { return scaled(normal_, over(height, square_)); }
 
  private:
+  /// Pairs of doubles cannot tell what is none: balls can.
+  static Vec<T> normal_of(const Pair& p) {
+    Vec<T> n = p.normal<T>();
+    if constexpr (!std::is_same_v<T, Ball>) {
+      const auto may_be_none = [](const T& x) { return x.high == 0 && x.low == 0 && x.magnitude != 0; };
+      if (may_be_none(n.x) || may_be_none(n.y) || may_be_none(n.z)) settle_zeros(normal_by_balls(p), n);
+    }
+    return n;
+  }
+  static void settle_zeros(const Vec<Ball>& known, Vec<T>& n) {
+    if (certainly_zero(known.x)) n.x = T(0.0);
+    if (certainly_zero(known.y)) n.y = T(0.0);
+    if (certainly_zero(known.z)) n.z = T(0.0);
+  }
   static bool is_one(const T& x) {
     if constexpr (requires { x.radius; }) {
       return x.high == 1 && x.low == 0 && x.radius == 0;

@@ -12,6 +12,7 @@
 #include "plumb/query/penetration/penetration.hpp"
 #include "query/body/rigid_cases.hpp"
 #include "query/contact/facing.hpp"
+#include "query/contact/rounded_contact.hpp"
 #include "query/contact/turned_box.hpp"
 #include "query/convex/nearest_pair.hpp"
 #include "query/gjk/any_body.hpp"
@@ -74,33 +75,6 @@ void expect_common_part(const ExactContact& c, const Exact3& n, const std::array
   for (const ExactPoint3& p : wanted.vertices) corners.push_back(exact(rational_point(p)));
   std::ranges::sort(told), std::ranges::sort(corners);
   EXPECT_EQ(told, corners) << about;
-}
-
-void expect_rounded(const ContactManifold& m, const ExactContact& e, const std::string& about) {
-  const Exact3 n = gmp(e.direction);
-  const mpf_class length = sqrt(big(dot(n, n)));
-  const mpq_class r_a = gmp(e.radius_a), r_b = gmp(e.radius_b);
-  EXPECT_EQ(m.relation, e.relation) << about;
-  EXPECT_TRUE(is_nearest_to(m.distance, big(gmp(e.along)) * length - big(r_a + r_b))) << about;
-  const auto expect_point = [&](const Point3& p, const RationalPoint3& core, const mpq_class& radius) {
-    const Exact3 x = exact(core);
-    const std::array told{p.x, p.y, p.z};
-    for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_TRUE(is_nearest_to(told[k], big(x[k]) + big(radius) * big(n[k]) / length)) << about << " coordinate " << k;
-    }
-  };
-  const std::array normal{m.normal.x, m.normal.y, m.normal.z};
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(is_nearest_to(normal[k], big(n[k]) / length)) << about;
-  ASSERT_EQ(m.corners.size(), e.corners.size()) << about;
-  for (std::size_t i = 0; i < e.corners.size(); ++i) {
-    const ExactContactCorner& k = e.corners[i];
-    EXPECT_EQ(m.corners[i].id, k.id) << about;
-    if (i > 0) {
-      EXPECT_LT(e.corners[i - 1].id, k.id) << about;
-    }
-    EXPECT_TRUE(is_nearest_to(m.corners[i].distance, big(gmp(k.along)) * length - big(r_a + r_b))) << about;
-    expect_point(m.corners[i].on_a, k.on_a, r_a), expect_point(m.corners[i].on_b, k.on_b, -r_b);
-  }
 }
 
 /// Turned round.
