@@ -20,6 +20,8 @@ PYBIND11_MODULE(_plumb, module) {
   texts.disable_function_signatures();
   module.doc() = "What plumb has of C++; import plumb instead.";
   namespace rooms = plumb::python;
-  for (void (*add)(py::module_&) : {rooms::add_errors, rooms::add_signs, rooms::add_mesh, rooms::add_bvh}) add(module);
+  for (void (*add)(py::module_&) : {rooms::add_errors, rooms::add_signs, rooms::add_mesh, rooms::add_bvh,
+                                    rooms::add_figures, rooms::add_figure_questions})
+    add(module);
   module.attr("__all__") = names_in(module);
 }

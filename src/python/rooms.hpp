@@ -12,5 +12,7 @@ void add_errors(pybind11::module_& module);
 void add_signs(pybind11::module_& module);
 void add_mesh(pybind11::module_& module);
 void add_bvh(pybind11::module_& module);
+void add_figures(pybind11::module_& module);
+void add_figure_questions(pybind11::module_& module);
 
 }  // namespace plumb::python

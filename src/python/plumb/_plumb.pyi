@@ -1,17 +1,64 @@
 """The stubs of the module; tests/python/test_documents.py holds them against it."""
 
 import os
-from typing import Any
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import answers
+
 __all__ = [
+    "Aabb2",
+    "Aabb3",
     "Bvh",
+    "Capsule2",
+    "Capsule3",
+    "Circle2",
+    "Cone3",
+    "ConvexPolyhedron3",
+    "Cylinder3",
+    "Figure",
+    "Halfspace2",
+    "Halfspace3",
+    "HalfspaceIntersection2",
+    "HalfspaceIntersection3",
+    "HoledPolygon2",
+    "HoledPolygon3",
+    "KDop2",
+    "KDop3",
+    "Line2",
+    "Line3",
+    "Location",
+    "Lozenge3",
     "Mesh",
+    "Obb2",
+    "Obb3",
+    "Plane3",
+    "Point2",
+    "Point3",
+    "Polygon2",
+    "Polygon3",
+    "Quadrilateral2",
+    "Quadrilateral3",
+    "Ray2",
+    "Ray3",
+    "Rectangle3",
+    "Relation",
+    "Segment2",
+    "Segment3",
+    "Sphere3",
+    "SphericalCap3",
+    "Tetrahedron3",
     "ThreadLimit",
+    "ThreePointPlane3",
+    "Triangle2",
+    "Triangle3",
     "angle_sign",
     "are_ordered_along_line",
+    "closest_points",
     "collinear",
     "compare_along_direction",
     "compare_along_line",
@@ -26,29 +73,44 @@ __all__ = [
     "compare_power",
     "compare_signed_distance_to_line",
     "compare_signed_distance_to_plane",
+    "contact",
+    "contains",
     "coplanar_orientation",
     "cross_sign",
     "determinant_sign",
+    "distance",
     "dot_of_crosses",
     "dot_sign",
+    "first_contact",
+    "first_hit",
+    "fit_aabb",
     "in_power_circle",
     "in_power_sphere",
     "in_smallest_circle",
     "in_smallest_sphere",
     "incircle",
     "insphere",
+    "intersection",
+    "intersects",
     "line_edge",
+    "locate",
     "order_along_cross",
     "orient2d",
     "orient3d",
     "orient_seen_from",
     "parallel",
+    "parse_figure",
+    "penetration",
     "perpendicular",
     "power_sign",
     "read_mesh",
+    "relate",
     "side_of_line",
     "side_of_plane",
     "sign_of_radicals",
+    "squared_distance",
+    "support_point",
+    "support_value",
 ]
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Any: ...
@@ -133,3 +195,482 @@ class Bvh:
     def self_intersections(self) -> tuple[NDArray[np.int32], NDArray[np.bool_]]: ...
     def intersections(self, other: Bvh) -> tuple[NDArray[np.int32], NDArray[np.bool_]]: ...
     def distance(self, other: Bvh) -> float: ...
+
+class Relation:
+    disjoint: ClassVar[Relation]
+    touching: ClassVar[Relation]
+    overlapping: ClassVar[Relation]
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> int: ...
+    def __int__(self) -> int: ...
+    def __index__(self) -> int: ...
+
+class Location:
+    outside: ClassVar[Location]
+    boundary: ClassVar[Location]
+    inside: ClassVar[Location]
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> int: ...
+    def __int__(self) -> int: ...
+    def __index__(self) -> int: ...
+
+class Figure:
+    def posed(
+        self, pose: ArrayLike | None = None, *, turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> Any: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def dimension(self) -> int: ...
+    @property
+    def pose(self) -> NDArray[np.float64] | None: ...
+    @property
+    def turn(self) -> NDArray[np.float64] | None: ...
+    @property
+    def translation(self) -> NDArray[np.float64] | None: ...
+    def __eq__(self, other: object) -> bool: ...
+    def __hash__(self) -> int: ...
+
+class Point2(Figure):
+    def __init__(
+        self, coordinates: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def coordinates(self) -> NDArray[np.float64]: ...
+
+class Line2(Figure):
+    def __init__(
+        self, point: ArrayLike, direction: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def point(self) -> NDArray[np.float64]: ...
+    @property
+    def direction(self) -> NDArray[np.float64]: ...
+
+class Ray2(Figure):
+    def __init__(
+        self, origin: ArrayLike, direction: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def origin(self) -> NDArray[np.float64]: ...
+    @property
+    def direction(self) -> NDArray[np.float64]: ...
+
+class Segment2(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+
+class Halfspace2(Figure):
+    def __init__(
+        self, normal: ArrayLike, offset: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def normal(self) -> NDArray[np.float64]: ...
+    @property
+    def offset(self) -> float: ...
+
+class Triangle2(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, c: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def c(self) -> NDArray[np.float64]: ...
+
+class Quadrilateral2(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def c(self) -> NDArray[np.float64]: ...
+    @property
+    def d(self) -> NDArray[np.float64]: ...
+
+class Polygon2(Figure):
+    def __init__(
+        self, vertices: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def vertices(self) -> NDArray[np.float64]: ...
+
+class HoledPolygon2(Figure):
+    def __init__(
+        self, outer: Figure, holes: Sequence[Figure], *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def outer(self) -> Any: ...
+    @property
+    def holes(self) -> list[Any]: ...
+
+class Circle2(Figure):
+    def __init__(
+        self, center: ArrayLike, radius: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def center(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> float: ...
+
+class Aabb2(Figure):
+    def __init__(
+        self, min: ArrayLike, max: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def min(self) -> NDArray[np.float64]: ...
+    @property
+    def max(self) -> NDArray[np.float64]: ...
+
+class Obb2(Figure):
+    def __init__(
+        self, center: ArrayLike, axes: ArrayLike, half: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def center(self) -> NDArray[np.float64]: ...
+    @property
+    def axes(self) -> NDArray[np.float64]: ...
+    @property
+    def half(self) -> NDArray[np.float64]: ...
+
+class Capsule2(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, radius: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> float: ...
+
+class KDop2(Figure):
+    def __init__(
+        self, directions: ArrayLike, min: ArrayLike, max: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def directions(self) -> NDArray[np.float64]: ...
+    @property
+    def min(self) -> NDArray[np.float64]: ...
+    @property
+    def max(self) -> NDArray[np.float64]: ...
+
+class HalfspaceIntersection2(Figure):
+    def __init__(
+        self, halfspaces: Sequence[Figure], *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def halfspaces(self) -> list[Any]: ...
+
+class Point3(Figure):
+    def __init__(
+        self, coordinates: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def coordinates(self) -> NDArray[np.float64]: ...
+
+class Line3(Figure):
+    def __init__(
+        self, point: ArrayLike, direction: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def point(self) -> NDArray[np.float64]: ...
+    @property
+    def direction(self) -> NDArray[np.float64]: ...
+
+class Ray3(Figure):
+    def __init__(
+        self, origin: ArrayLike, direction: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def origin(self) -> NDArray[np.float64]: ...
+    @property
+    def direction(self) -> NDArray[np.float64]: ...
+
+class Segment3(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+
+class Plane3(Figure):
+    def __init__(
+        self, normal: ArrayLike, offset: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def normal(self) -> NDArray[np.float64]: ...
+    @property
+    def offset(self) -> float: ...
+
+class ThreePointPlane3(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, c: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def c(self) -> NDArray[np.float64]: ...
+
+class Halfspace3(Figure):
+    def __init__(
+        self, normal: ArrayLike, offset: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def normal(self) -> NDArray[np.float64]: ...
+    @property
+    def offset(self) -> float: ...
+
+class Triangle3(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, c: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def c(self) -> NDArray[np.float64]: ...
+
+class Quadrilateral3(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def c(self) -> NDArray[np.float64]: ...
+    @property
+    def d(self) -> NDArray[np.float64]: ...
+
+class Polygon3(Figure):
+    def __init__(
+        self, vertices: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def vertices(self) -> NDArray[np.float64]: ...
+
+class HoledPolygon3(Figure):
+    def __init__(
+        self, outer: Figure, holes: Sequence[Figure], *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def outer(self) -> Any: ...
+    @property
+    def holes(self) -> list[Any]: ...
+
+class Rectangle3(Figure):
+    def __init__(
+        self, center: ArrayLike, axes: ArrayLike, half: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def center(self) -> NDArray[np.float64]: ...
+    @property
+    def axes(self) -> NDArray[np.float64]: ...
+    @property
+    def half(self) -> NDArray[np.float64]: ...
+
+class Tetrahedron3(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def c(self) -> NDArray[np.float64]: ...
+    @property
+    def d(self) -> NDArray[np.float64]: ...
+
+class Sphere3(Figure):
+    def __init__(
+        self, center: ArrayLike, radius: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def center(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> float: ...
+
+class Aabb3(Figure):
+    def __init__(
+        self, min: ArrayLike, max: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def min(self) -> NDArray[np.float64]: ...
+    @property
+    def max(self) -> NDArray[np.float64]: ...
+
+class Obb3(Figure):
+    def __init__(
+        self, center: ArrayLike, axes: ArrayLike, half: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def center(self) -> NDArray[np.float64]: ...
+    @property
+    def axes(self) -> NDArray[np.float64]: ...
+    @property
+    def half(self) -> NDArray[np.float64]: ...
+
+class Capsule3(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, radius: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> float: ...
+
+class Lozenge3(Figure):
+    def __init__(
+        self, corner: ArrayLike, edges: ArrayLike, radius: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def corner(self) -> NDArray[np.float64]: ...
+    @property
+    def edges(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> float: ...
+
+class Cylinder3(Figure):
+    def __init__(
+        self, a: ArrayLike, b: ArrayLike, radius: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def a(self) -> NDArray[np.float64]: ...
+    @property
+    def b(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> float: ...
+
+class Cone3(Figure):
+    def __init__(
+        self, apex: ArrayLike, base: ArrayLike, radius: float, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def apex(self) -> NDArray[np.float64]: ...
+    @property
+    def base(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> float: ...
+
+class KDop3(Figure):
+    def __init__(
+        self, directions: ArrayLike, min: ArrayLike, max: ArrayLike, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def directions(self) -> NDArray[np.float64]: ...
+    @property
+    def min(self) -> NDArray[np.float64]: ...
+    @property
+    def max(self) -> NDArray[np.float64]: ...
+
+class HalfspaceIntersection3(Figure):
+    def __init__(
+        self, halfspaces: Sequence[Figure], *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def halfspaces(self) -> list[Any]: ...
+
+class ConvexPolyhedron3(Figure):
+    def __init__(
+        self, vertices: ArrayLike, faces: Sequence[Sequence[int]], *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def vertices(self) -> NDArray[np.float64]: ...
+    @property
+    def faces(self) -> list[list[int]]: ...
+
+class SphericalCap3(Figure):
+    def __init__(
+        self, sphere: Figure, halfspace: Figure, *, pose: ArrayLike | None = None,
+        turn: ArrayLike | None = None, translation: ArrayLike | None = None
+    ) -> None: ...
+    @property
+    def sphere(self) -> Any: ...
+    @property
+    def halfspace(self) -> Any: ...
+
+
+def parse_figure(line: str) -> Any: ...
+def relate(a: Figure | ArrayLike, b: Figure | ArrayLike) -> Relation: ...
+def distance(a: Figure | ArrayLike, b: Figure | ArrayLike, *, exact: bool = False) -> Any: ...
+def squared_distance(a: Figure | ArrayLike, b: Figure | ArrayLike) -> Fraction: ...
+def closest_points(a: Figure | ArrayLike, b: Figure | ArrayLike) -> answers.ClosestPoints: ...
+def intersection(a: Figure | ArrayLike, b: Figure | ArrayLike, *, exact: bool = False) -> answers.Intersection: ...
+def contains(outer: Figure | ArrayLike, inner: Figure | ArrayLike) -> Any: ...
+def locate(figure: Figure | ArrayLike, points: ArrayLike) -> Any: ...
+def penetration(a: Figure | ArrayLike, b: Figure | ArrayLike, *, exact: bool = False) -> Any: ...
+def contact(
+    a: Figure | ArrayLike, b: Figure | ArrayLike, margin: float = 0.0, at_most: int = 0, *, exact: bool = False
+) -> Any: ...
+def support_point(figure: Figure | ArrayLike, direction: ArrayLike) -> answers.Support: ...
+def support_value(figure: Figure | ArrayLike, direction: ArrayLike) -> float: ...
+def fit_aabb(figure: Figure | ArrayLike) -> Any: ...
+def intersects(
+    a: Figure | ArrayLike, b: Figure | ArrayLike, by: ArrayLike | None = None, other_by: ArrayLike | None = None
+) -> bool: ...
+def first_contact(
+    a: Figure | ArrayLike, b: Figure | ArrayLike, by: ArrayLike, other_by: ArrayLike | None = None, *, exact: bool = False
+) -> answers.FirstContact | None: ...
+def first_hit(ray: Figure, figure: Figure | ArrayLike, *, exact: bool = False) -> answers.Hit | None: ...

@@ -1,0 +1,143 @@
+"""The answers that have several parts: tuples whose parts have names."""
+
+from fractions import Fraction
+from typing import Any, List, NamedTuple, Optional, Tuple, Union
+
+__all__ = ["ClosestPoints", "Contact", "ContactCorner", "ExactContact", "ExactContactCorner", "ExactDistance",
+           "ExactPenetration", "Feature", "FirstContact", "Hit", "Intersection", "Penetration", "PolynomialRoot",
+           "SquareRoot", "Support"]
+
+
+class Feature(NamedTuple):
+    """A vertex, an edge or a face of a figure, or its interior, by number; docs/figures.md says which is which."""
+
+    kind: str  # "vertex", "edge", "face" or "interior"
+    number: int
+
+
+class SquareRoot(NamedTuple):
+    """The number base - sqrt(square), or base + sqrt(square) where it is the greater of two roots."""
+
+    base: Fraction
+    square: Fraction
+    greater: bool
+
+
+class PolynomialRoot(NamedTuple):
+    """The one root of a polynomial between two bounds."""
+
+    coefficients: List[int]  # in ascending order
+    bounds: Tuple[Fraction, Fraction]
+
+
+class ExactDistance(NamedTuple):
+    """The number sqrt(square) - inset, which is zero where that is negative."""
+
+    square: Fraction
+    inset: Fraction
+
+
+class ClosestPoints(NamedTuple):
+    """The two points that are nearest to one another, and how far apart they are."""
+
+    on_a: Any  # float64, shape (3,), or (2,) of figures of the plane
+    on_b: Any
+    distance: float
+    feature_a: Feature
+    feature_b: Feature
+
+
+class Hit(NamedTuple):
+    """Where a ray, a segment or a line first meets a figure."""
+
+    t: Any  # float, in lengths of the direction; where exact: Fraction or SquareRoot
+    point: Any  # float64, shape (3,), or (2,) of figures of the plane
+    feature: Feature
+    normal: Any  # of any length
+
+
+class FirstContact(NamedTuple):
+    """When do two moving figures first meet, and with which features?"""
+
+    time: Any  # float from 0 to 1, never late; where exact: Fraction or PolynomialRoot
+    feature_a: Feature
+    feature_b: Feature
+
+
+class Penetration(NamedTuple):
+    """The least translation of the first body that parts it from the second."""
+
+    depth: float
+    direction: Any  # float64, shape (3,), of length 1
+    translation: Any
+    feature_a: Feature
+    feature_b: Feature
+    is_unique: bool
+
+
+class ExactPenetration(NamedTuple):
+    """The same without rounding: depth is radii and the root of core_square, or less it where the cores are apart."""
+
+    direction: Tuple[Fraction, Fraction, Fraction]
+    core_translation: Tuple[Fraction, Fraction, Fraction]
+    core_square: Fraction
+    cores_are_apart: bool
+    radii: Fraction
+    feature_a: Feature
+    feature_b: Feature
+    is_unique: bool
+
+
+class ContactCorner(NamedTuple):
+    """A corner of a contact, with a name that stays the same from frame to frame."""
+
+    on_a: Any  # float64, shape (3,)
+    on_b: Any
+    distance: float  # along the normal; below zero where the bodies overlap there
+    id: Tuple[Feature, Feature]
+
+
+class Contact(NamedTuple):
+    """Where two convex bodies touch, or nearly touch, or how deep they are in one another."""
+
+    relation: Any  # Relation
+    normal: Any  # float64, shape (3,), from the first body to the second, of length 1
+    distance: float
+    corners: List[ContactCorner]
+
+
+class ExactContactCorner(NamedTuple):
+    """A corner of a contact of the bodies' cores, without rounding."""
+
+    on_a: Tuple[Fraction, Fraction, Fraction]
+    on_b: Tuple[Fraction, Fraction, Fraction]
+    along: Fraction  # from the one to the other, as a multiple of the direction
+    id: Tuple[Feature, Feature]
+
+
+class ExactContact(NamedTuple):
+    """The same without rounding: the distance is along * |direction| - radius_a - radius_b, and of each corner likewise."""
+
+    relation: Any  # Relation
+    direction: Tuple[Fraction, Fraction, Fraction]
+    along: Fraction
+    radius_a: Fraction
+    radius_b: Fraction
+    corners: List[ExactContactCorner]
+
+
+class Support(NamedTuple):
+    """The farthest point of a figure along a direction."""
+
+    point: Any  # float64, shape (3,), or (2,) of figures of the plane
+    feature: int
+    unique: bool
+
+
+class Intersection(NamedTuple):
+    """The points that two figures have in common."""
+
+    kind: str  # "nothing", "point", "segment", "ray", "line", "polygon", "solid", "plane" or "space"
+    vertices: Any  # float64, shape (n, 3) or (n, 2); where exact: a list of tuples of Fraction
+    directions: List[Tuple[Fraction, ...]]  # of a solid, a line or a plane that goes on forever
+    faces: List[List[int]]  # of a bounded solid
