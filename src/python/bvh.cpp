@@ -10,28 +10,10 @@
 #include "plumb/space/ray/mesh_ray.hpp"
 #include "python/mesh.hpp"
 #include "python/rooms.hpp"
+#include "python/unlocked.hpp"
 
 namespace plumb::python {
 namespace {
-
-/// Asks now and then whether Ctrl-C was pressed; the error is raised where the answer would be returned.
-Progress interruptible() {
-  return [](double) {
-    const py::gil_scoped_acquire held;
-    return PyErr_CheckSignals() == 0;
-  };
-}
-
-/// Runs without the interpreter's lock; what Ctrl-C stopped raises KeyboardInterrupt.
-template <class Work>
-auto unlocked(const Work& work) {
-  try {
-    const py::gil_scoped_release released;
-    return work();
-  } catch (const Cancelled&) {
-    throw py::error_already_set();
-  }
-}
 
 /// One answer in place of an array of one.
 py::object one_or_all(py::array all, bool single) { return single ? py::object(all[py::int_(0)]) : py::object(all); }

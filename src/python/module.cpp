@@ -20,8 +20,9 @@ PYBIND11_MODULE(_plumb, module) {
   texts.disable_function_signatures();
   module.doc() = "What plumb has of C++; import plumb instead.";
   namespace rooms = plumb::python;
-  for (void (*add)(py::module_&) : {rooms::add_errors, rooms::add_signs, rooms::add_mesh, rooms::add_bvh,
-                                    rooms::add_figures, rooms::add_figure_questions})
+  for (void (*add)(py::module_&) :
+       {rooms::add_errors, rooms::add_signs, rooms::add_mesh, rooms::add_bvh, rooms::add_figures,
+        rooms::add_figure_questions, rooms::add_kd_tree, rooms::add_hull})
     add(module);
   module.attr("__all__") = names_in(module);
 }

@@ -14,5 +14,7 @@ void add_mesh(pybind11::module_& module);
 void add_bvh(pybind11::module_& module);
 void add_figures(pybind11::module_& module);
 void add_figure_questions(pybind11::module_& module);
+void add_kd_tree(pybind11::module_& module);
+void add_hull(pybind11::module_& module);
 
 }  // namespace plumb::python

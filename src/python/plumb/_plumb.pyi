@@ -18,6 +18,7 @@ __all__ = [
     "Capsule3",
     "Circle2",
     "Cone3",
+    "ConvexHull",
     "ConvexPolyhedron3",
     "Cylinder3",
     "Figure",
@@ -27,6 +28,7 @@ __all__ = [
     "HalfspaceIntersection3",
     "HoledPolygon2",
     "HoledPolygon3",
+    "KDTree",
     "KDop2",
     "KDop3",
     "Line2",
@@ -94,10 +96,13 @@ __all__ = [
     "intersects",
     "line_edge",
     "locate",
+    "minimum_obb",
+    "minimum_sphere",
     "order_along_cross",
     "orient2d",
     "orient3d",
     "orient_seen_from",
+    "overlapping_pairs",
     "parallel",
     "parse_figure",
     "penetration",
@@ -674,3 +679,40 @@ def first_contact(
     a: Figure | ArrayLike, b: Figure | ArrayLike, by: ArrayLike, other_by: ArrayLike | None = None, *, exact: bool = False
 ) -> answers.FirstContact | None: ...
 def first_hit(ray: Figure, figure: Figure | ArrayLike, *, exact: bool = False) -> answers.Hit | None: ...
+
+class KDTree:
+    def __init__(self, points: ArrayLike) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def data(self) -> NDArray[np.float64]: ...
+    @property
+    def n(self) -> int: ...
+    @property
+    def m(self) -> int: ...
+    def query(self, x: ArrayLike, k: int = 1, *, ties: str = "lowest") -> tuple[Any, Any]: ...
+    def query_ball_point(self, x: ArrayLike, r: ArrayLike, *, return_length: bool = False) -> Any: ...
+
+class ConvexHull:
+    def __init__(self, points: ArrayLike) -> None: ...
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def vertices(self) -> NDArray[np.int32]: ...
+    @property
+    def simplices(self) -> NDArray[np.int32]: ...
+    @property
+    def neighbors(self) -> NDArray[np.int32]: ...
+    @property
+    def equations(self) -> NDArray[np.float64]: ...
+    @property
+    def volume(self) -> float: ...
+    @property
+    def area(self) -> float: ...
+    @property
+    def dimension(self) -> int: ...
+
+def minimum_sphere(points: ArrayLike) -> answers.MinimumSphere: ...
+def minimum_obb(points: ArrayLike) -> Any: ...
+def overlapping_pairs(
+    boxes: ArrayLike, others: ArrayLike | None = None, *, touching: bool = True
+) -> NDArray[np.int32]: ...

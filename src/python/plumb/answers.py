@@ -4,7 +4,7 @@ from fractions import Fraction
 from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 __all__ = ["ClosestPoints", "Contact", "ContactCorner", "ExactContact", "ExactContactCorner", "ExactDistance",
-           "ExactPenetration", "Feature", "FirstContact", "Hit", "Intersection", "Penetration", "PolynomialRoot",
+           "ExactPenetration", "Feature", "FirstContact", "Hit", "Intersection", "MinimumSphere", "Penetration", "PolynomialRoot",
            "SquareRoot", "Support"]
 
 
@@ -141,3 +141,10 @@ class Intersection(NamedTuple):
     vertices: Any  # float64, shape (n, 3) or (n, 2); where exact: a list of tuples of Fraction
     directions: List[Tuple[Fraction, ...]]  # of a solid, a line or a plane that goes on forever
     faces: List[List[int]]  # of a bounded solid
+
+
+class MinimumSphere(NamedTuple):
+    """The smallest ball or disk that holds points, and which of them define it."""
+
+    ball: Any  # Circle2 or Sphere3, rounded once
+    support: Any  # int32, shape (k,): the points that it is the smallest ball of
