@@ -23,6 +23,10 @@
 #include "plumb/surface/repair/repair.hpp"               // mending: holes, T-junctions, double faces, orientation
 #include "plumb/surface/repair/weld.hpp"                 // vertices that are one, exactly or within a tolerance
 #include "plumb/surface/section/section.hpp"             // contours of one plane or many
+#include "plumb/surface/solid/arrangement.hpp"           // facets and cells of closed meshes, with their windings
+#include "plumb/surface/solid/boolean.hpp"               // union, intersection, difference, exactly
+#include "plumb/surface/solid/exact_mesh.hpp"            // what these make
+#include "plumb/surface/solid/round.hpp"                 // its doubles, sound or not
 #include "plumb/surface/topology/adjacency.hpp"          // half-edges, winged edges, triangles at a vertex
 #include "plumb/surface/topology/components.hpp"         // connected components, boundary loops, Euler's formula
 #include "plumb/surface/topology/defects.hpp"            // bow ties, T-junctions, double faces, close vertices

@@ -36,7 +36,7 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
     {"space",
      {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence", "grid", "octree", "kd_tree", "sort_and_sweep",
       "broad_phase", "cells"}},
-    {"surface", {"planar", "file", "topology", "section", "repair", "parts"}},
+    {"surface", {"planar", "file", "topology", "section", "repair", "parts", "solid"}},
     {"tool", {"terminal", "drawing", "mesh",      "rows",    "trial",    "manual", "bounds",     "bvh",
               "check",    "closest", "convert",   "convex",  "distance", "doctor", "fuzz",       "hausdorff",
               "help",     "inside",  "intersect", "nearest", "pairs",    "parts",  "placements", "plan",

@@ -420,6 +420,13 @@ inline const CostRow rows_of_indexes[]{
      [](const Cloud& c) { (void)convex_parts(hull_of(c.a)); }},
     {"covering_parts", "surface/parts/covering_parts.hpp", quadratic, 5000,
      [](const Cloud& c) { (void)covering_parts(hull_of(c.a), {.concavity = 0}); }},
+    {"arrange", "surface/solid/arrangement.hpp", quartic, 3000,
+     [](const Cloud& c) {
+       (void)arrange(std::vector{hull_of(c.a), hull_of(c.b)});
+     }},
+    {"unite", "surface/solid/boolean.hpp", quartic, 3000,
+     [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }},
+    {"round", "surface/solid/round.hpp", quartic, 100, [](const Cloud& c) { (void)round(resolve(hull_of(c.a))); }},
     {"repair", "surface/repair/repair.hpp", quartic, 2000, [](const Cloud& c) { (void)repair(c.mesh); }},
     {"close_vertices", "surface/topology/defects.hpp", quadratic, 5,
      [](const Cloud& c) { (void)close_vertices(c.mesh, std::fabs(c.a[0].x)); }},

@@ -1,0 +1,111 @@
+#include "plumb/surface/solid/boolean.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace plumb {
+namespace {
+
+bool is_in(std::int32_t winding, WindingRule rule) {
+  switch (rule) {
+    case WindingRule::positive:
+      return winding > 0;
+    case WindingRule::nonzero:
+      return winding != 0;
+    default:
+      return winding % 2 != 0;
+  }
+}
+
+/// The first source that turns as the triangle does, if any does.
+SourceFace source_of(std::span<const FacetSource> sources, bool opposite) {
+  const auto at = std::ranges::find(sources, opposite, &FacetSource::opposite);
+  return (at == sources.end() ? sources.front() : *at).face;
+}
+
+/// Keeps the vertices that triangles name.
+void drop_unused(ExactMesh& mesh) {
+  std::vector<std::uint32_t> number(mesh.vertices.size());
+  for (const auto& corners : mesh.triangles)
+    for (const std::uint32_t v : corners) number[v] = 1;
+  std::vector<ExactPoint3> kept;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (std::exchange(number[v], static_cast<std::uint32_t>(kept.size())) != 0)
+      kept.push_back(std::move(mesh.vertices[v]));
+  for (auto& corners : mesh.triangles)
+    for (std::uint32_t& v : corners) v = number[v];
+  mesh.vertices = std::move(kept);
+}
+
+template <class Combine>
+ExactMesh combined(std::span<const TriangleMesh> meshes, WindingRule rule, const Combine& combine) {
+  return solid_where(meshes, [&](std::span<const std::int32_t> windings) {
+    std::size_t inside = 0;
+    for (const std::int32_t w : windings) inside += is_in(w, rule) ? 1 : 0;
+    return combine(inside, !windings.empty() && is_in(windings[0], rule));
+  });
+}
+
+}  // namespace
+
+ExactMesh solid_where(const Arrangement& arrangement, const WindingPredicate& inside) {
+  const std::size_t regions = arrangement.meshes == 0 ? 0 : arrangement.windings.size() / arrangement.meshes;
+  std::vector<std::uint8_t> is_inside(regions);
+  for (std::size_t r = 0; r < regions; ++r) is_inside[r] = inside(arrangement.windings_of(r)) ? 1 : 0;
+  std::vector<std::pair<TriangleMesh::Triangle, SourceFace>> kept;
+  for (std::size_t f = 0; f < arrangement.facets.size(); ++f) {
+    const auto& [above, below] = arrangement.sides[f];
+    if (is_inside[above] == is_inside[below]) continue;
+    const bool turned = is_inside[above] != 0;
+    auto corners = arrangement.facets[f];
+    if (turned) std::swap(corners[1], corners[2]);
+    kept.emplace_back(corners, source_of(arrangement.sources_of(f), turned));
+  }
+  std::ranges::sort(kept);
+  ExactMesh result;
+  result.vertices = arrangement.vertices;
+  for (const auto& [corners, source] : kept) {
+    result.triangles.push_back(corners);
+    result.sources.push_back(source);
+  }
+  drop_unused(result);
+  return result;
+}
+
+ExactMesh solid_where(std::span<const TriangleMesh> meshes, const WindingPredicate& inside) {
+  return solid_where(arrange(meshes), inside);
+}
+
+ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule) { return unite(std::span(&mesh, 1), rule); }
+
+ExactMesh unite(std::span<const TriangleMesh> meshes, WindingRule rule) {
+  return combined(meshes, rule, [](std::size_t inside, bool) { return inside != 0; });
+}
+
+ExactMesh intersect(std::span<const TriangleMesh> meshes, WindingRule rule) {
+  return combined(meshes, rule, [&](std::size_t inside, bool) { return inside != 0 && inside == meshes.size(); });
+}
+
+ExactMesh subtract(std::span<const TriangleMesh> meshes, WindingRule rule) {
+  return combined(meshes, rule, [](std::size_t inside, bool in_first) { return in_first && inside == 1; });
+}
+
+ExactMesh symmetric_difference(std::span<const TriangleMesh> meshes, WindingRule rule) {
+  return combined(meshes, rule, [](std::size_t inside, bool) { return inside % 2 != 0; });
+}
+
+ExactMesh unite(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
+  return unite(std::vector{a, b}, rule);
+}
+ExactMesh intersect(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
+  return intersect(std::vector{a, b}, rule);
+}
+ExactMesh subtract(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
+  return subtract(std::vector{a, b}, rule);
+}
+ExactMesh symmetric_difference(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
+  return symmetric_difference(std::vector{a, b}, rule);
+}
+
+}  // namespace plumb

@@ -1,0 +1,155 @@
+#include "surface/solid/face_pool.hpp"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+#include "arith/shortest_decimal.hpp"
+#include "plumb/arith/error.hpp"
+#include "plumb/certify/direction.hpp"
+#include "plumb/surface/topology/topology.hpp"
+
+namespace plumb::surface {
+namespace {
+
+std::string place_text(const Point3& p) {
+  return "(" + arith::shortest_decimal(p.x) + ", " + arith::shortest_decimal(p.y) + ", " +
+         arith::shortest_decimal(p.z) + ")";
+}
+
+std::string triangle_text(std::uint32_t mesh, std::uint32_t triangle) {
+  return "triangle " + std::to_string(triangle) + " of mesh " + std::to_string(mesh);
+}
+
+void require_points(std::span<const TriangleMesh> meshes) {
+  for (std::uint32_t m = 0; m < meshes.size(); ++m) {
+    const TriangleMesh& mesh = meshes[m];
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (const std::uint32_t v : mesh.triangles[t]) {
+        if (v >= mesh.vertices.size())
+          throw InvalidShape("arrange: " + triangle_text(m, t) + " names vertex " + std::to_string(v) +
+                             ", and there are " + std::to_string(mesh.vertices.size()));
+        const Point3& p = mesh.vertices[v];
+        if (!(p.x - p.x == 0 && p.y - p.y == 0 && p.z - p.z == 0))
+          throw NonFinite("arrange: vertex " + std::to_string(v) + " of mesh " + std::to_string(m) + " is " +
+                          place_text(p) + ", not a point; give finite coordinates");
+      }
+    }
+  }
+}
+
+/// Numbers in the pool for each mesh's vertices; those that no triangle names have none.
+std::vector<std::vector<std::uint32_t>> pool_vertices(std::span<const TriangleMesh> meshes, FacePool& pool) {
+  struct Use {
+    Point3 at;
+    std::uint32_t mesh, vertex;
+  };
+  std::vector<Use> used;
+  std::vector<std::vector<std::uint32_t>> number(meshes.size());
+  for (std::uint32_t m = 0; m < meshes.size(); ++m) {
+    number[m].assign(meshes[m].vertices.size(), 0);
+    for (const auto& corners : meshes[m].triangles)
+      for (const std::uint32_t v : corners) number[m][v] = 1;
+    for (std::uint32_t v = 0; v < number[m].size(); ++v) {
+      if (number[m][v] == 0) continue;
+      const Point3& p = meshes[m].vertices[v];
+      used.push_back({{p.x + 0.0, p.y + 0.0, p.z + 0.0}, m, v});  // no zero has a sign
+    }
+  }
+  const auto key = [](const Use& u) { return std::tie(u.at.x, u.at.y, u.at.z); };
+  std::ranges::sort(used, [&](const Use& l, const Use& r) { return key(l) < key(r); });
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (i == 0 || key(used[i - 1]) != key(used[i])) pool.mesh.vertices.push_back(used[i].at);
+    number[used[i].mesh][used[i].vertex] = static_cast<std::uint32_t>(pool.mesh.vertices.size() - 1);
+  }
+  return number;
+}
+
+struct PooledTriangle {
+  TriangleMesh::Triangle corners;  // ascending
+  FacetSource source;
+};
+
+/// Throws for an edge along which a mesh runs more often one way than the other.
+void require_closed(const FacePool& pool, std::span<const PooledTriangle> all) {
+  struct Run {
+    std::uint32_t mesh, from, to, triangle;
+    bool forward;
+  };
+  std::vector<Run> runs;
+  runs.reserve(3 * all.size());
+  for (const auto& [corners, source] : all) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
+      runs.push_back(
+          {source.face.mesh, std::min(a, b), std::max(a, b), source.face.triangle, (a < b) != source.opposite});
+    }
+  }
+  const auto key = [](const Run& r) { return std::tie(r.mesh, r.from, r.to); };
+  std::ranges::sort(runs, [&](const Run& l, const Run& r) {
+    return std::tie(l.mesh, l.from, l.to, l.triangle) < std::tie(r.mesh, r.from, r.to, r.triangle);
+  });
+  for (std::size_t i = 0, next = 0; i < runs.size(); i = next) {
+    int flow = 0;
+    for (next = i; next < runs.size() && key(runs[next]) == key(runs[i]); ++next) flow += runs[next].forward ? 1 : -1;
+    if (flow == 0) continue;
+    const std::string where = "the edge from " + place_text(pool.mesh.vertices[runs[i].from]) + " to " +
+                              place_text(pool.mesh.vertices[runs[i].to]) + ", of " +
+                              triangle_text(runs[i].mesh, runs[i].triangle);
+    throw InvalidShape((next - i) % 2 != 0
+                           ? "arrange: the mesh is open at " + where + "; close it, or repair it"
+                           : "arrange: triangles run against each other along " + where + "; repair winds them");
+  }
+}
+
+/// Do as many uses turn one way as the other, in each mesh?
+bool is_canceled(std::span<const FacetSource> uses) {
+  int flow = 0;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    flow += uses[i].opposite ? -1 : 1;
+    const bool is_last = i + 1 == uses.size() || uses[i + 1].face.mesh != uses[i].face.mesh;
+    if (is_last && flow != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+FacePool pool_faces(std::span<const TriangleMesh> meshes) {
+  require_points(meshes);
+  FacePool pool;
+  pool.meshes = static_cast<std::uint32_t>(meshes.size());
+  const auto number = pool_vertices(meshes, pool);
+  std::vector<PooledTriangle> all;
+  for (std::uint32_t m = 0; m < meshes.size(); ++m) {
+    for (std::uint32_t t = 0; t < meshes[m].triangles.size(); ++t) {
+      const auto& given = meshes[m].triangles[t];
+      const std::uint32_t a = number[m][given[0]], b = number[m][given[1]], c = number[m][given[2]];
+      if (a == b || b == c || c == a) continue;  // its edges cancel one another
+      TriangleMesh::Triangle corners{a, b, c};
+      std::ranges::sort(corners);
+      const bool turns = (a < b) + (b < c) + (c < a) == 2;
+      all.push_back({corners, {{m, t}, !turns}});
+    }
+  }
+  require_closed(pool, all);
+  std::ranges::sort(all, [](const PooledTriangle& l, const PooledTriangle& r) {
+    return std::tie(l.corners, l.source) < std::tie(r.corners, r.source);
+  });
+  for (std::size_t i = 0, next = 0; i < all.size(); i = next) {
+    const std::size_t first = pool.uses.size();
+    for (next = i; next < all.size() && all[next].corners == all[i].corners; ++next)
+      pool.uses.push_back(all[next].source);
+    const auto& [a, b, c] = all[i].corners;
+    const auto& at = pool.mesh.vertices;
+    if (is_canceled(std::span(pool.uses).subspan(first)) || collinear(at[a], at[b], at[c])) {
+      pool.uses.resize(first);
+      continue;
+    }
+    pool.mesh.triangles.push_back(all[i].corners);
+    pool.first_use.push_back(static_cast<std::uint32_t>(pool.uses.size()));
+  }
+  return pool;
+}
+
+}  // namespace plumb::surface

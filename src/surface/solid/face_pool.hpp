@@ -1,0 +1,36 @@
+// Of which triangles do some closed meshes consist, each counted once?  What cancels is gone before any geometry.
+//
+// Laws: (1) vertices ascend lexicographically, no two equal, and no zero has a sign; a face names its vertices
+// ascending, and faces ascend.  (2) The uses of a face are the triangles with its three points, and whether each turns
+// as the face does; they ascend.  A face whose uses cancel for each mesh is left out, one without area as well.  So
+// vertices and faces do not depend on the order of what was given.
+// Source: RTCD 12.1; Zhou et al. 2016.
+// Cost: n log n.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plumb/surface/solid/arrangement.hpp"
+
+namespace plumb::surface {
+
+struct FacePool {
+  std::uint32_t meshes = 0;
+  TriangleMesh mesh;              // the faces, each once
+  std::vector<FacetSource> uses;  // of face f: uses[first_use[f]] up to uses[first_use[f + 1]]
+  std::vector<std::uint32_t> first_use{0};
+
+  [[nodiscard]] std::array<Point3, 3> points_of(std::uint32_t face) const {
+    const auto& [a, b, c] = mesh.triangles[face];
+    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+  }
+  [[nodiscard]] std::span<const FacetSource> uses_of(std::uint32_t face) const {
+    return std::span(uses).subspan(first_use[face], first_use[face + 1] - first_use[face]);
+  }
+};
+
+/// Throws as arrange does.
+FacePool pool_faces(std::span<const TriangleMesh> meshes);
+
+}  // namespace plumb::surface

@@ -1,0 +1,31 @@
+// How often do meshes wind around what is beside a facet?  One query for facets that are connected.
+//
+// Laws: exact.  A line goes from a point of the facet, which is moved by infinitesimals: upward along z by one, forward
+// along y by a smaller one, so that the line passes no edge; where both leave it in the facet's plane, it starts above.
+// Source: RTCD 5.4.3; Edelsbrunner and Muecke 1990.
+// Cost: a descent of the tree, and some exact signs for each triangle that the line may pass.
+#pragma once
+
+#include "plumb/space/bvh/bvh.hpp"
+#include "surface/solid/facet_list.hpp"
+
+namespace plumb::surface {
+
+struct WindingBeside {
+  bool is_above;                       // or below the facet
+  std::vector<std::int32_t> windings;  // around each mesh
+};
+
+class OutsideWinding {
+ public:
+  OutsideWinding(const FacePool& pool, const FacetList& list, const PointTable& table);
+  [[nodiscard]] WindingBeside beside(std::uint32_t facet) const;
+
+ private:
+  const FacePool& pool_;
+  const FacetList& list_;
+  const PointTable& table_;
+  Bvh bvh_;
+};
+
+}  // namespace plumb::surface

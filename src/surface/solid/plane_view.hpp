@@ -1,0 +1,38 @@
+// How is a plane seen?  Along the axis that shows it best, so that it is decided in two dimensions.
+//
+// Laws: the axis is one along which the plane has an area; which one is a guess, by doubles, and the same for the same
+// three points.  Above is the side from which what turns counterclockwise in the two dimensions does so.
+// Source: RTCD 12.5.1.
+// Cost: a sign or two; a projected point as long as its coordinates.
+#pragma once
+
+#include <array>
+
+#include "plumb/certify/exact_point.hpp"
+
+namespace plumb::surface {
+
+class PlaneView {
+ public:
+  /// The points are not on one line.
+  explicit PlaneView(const std::array<Point3, 3>& points);
+
+  /// Do the three points turn counterclockwise, as given?
+  [[nodiscard]] bool is_seen_from_above() const { return !turned_; }
+  [[nodiscard]] ExactPoint2 seen(const ExactPoint3& p) const;
+  /// Positive above the plane.
+  [[nodiscard]] Sign side(const ExactPoint3& p) const;
+  [[nodiscard]] Sign side(const Point3& p) const;
+  /// The signs of the upward normal's coordinates.
+  [[nodiscard]] std::array<Sign, 3> normal_signs() const;
+
+ private:
+  std::array<Point3, 3> points_;  // counterclockwise
+  int axis_ = 2;
+  bool turned_ = false;
+};
+
+/// The point's shadow along the axis: (x, y), (y, z) or (z, x).
+Point2 shadow(const Point3& p, int axis);
+
+}  // namespace plumb::surface

@@ -1,0 +1,38 @@
+#include "surface/solid/point_table.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "surface/planar/triangles.hpp"
+
+namespace plumb::surface {
+
+ExactPoint3 in_plain_form(const ExactPoint3& p) {
+  if (const auto* given = std::get_if<Point3>(&p.as())) return Point3{given->x + 0.0, given->y + 0.0, given->z + 0.0};
+  RationalPoint3 exact = rational_point(p);
+  const Point3 nearest = approximate(p);
+  if (exact == RationalPoint3{nearest.x, nearest.y, nearest.z})
+    return Point3{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
+  return exact;
+}
+
+std::uint32_t PointTable::given_number(const Point3& p) const {
+  const auto key = [](const Point3& q) { return std::tie(q.x, q.y, q.z); };
+  const auto at =
+      std::ranges::lower_bound(given_, p, [&](const Point3& l, const Point3& r) { return key(l) < key(r); });
+  return at != given_.end() && key(*at) == key(p) ? static_cast<std::uint32_t>(at - given_.begin()) : none;
+}
+
+std::uint32_t PointTable::number_of(const ExactPoint3& point) {
+  if (const auto* p = std::get_if<Point3>(&point.as()))
+    if (const std::uint32_t number = given_number(*p); number != none) return number;
+  const auto [at, is_new] = number_.try_emplace(point, static_cast<std::uint32_t>(size()));
+  if (!is_new) return at->second;
+  const ExactPoint3 plain = in_plain_form(point);
+  if (const auto* p = std::get_if<Point3>(&plain.as()))
+    if (const std::uint32_t number = given_number(*p); number != none) return at->second = number;
+  made_.push_back(plain);
+  return at->second;
+}
+
+}  // namespace plumb::surface

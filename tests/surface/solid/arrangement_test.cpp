@@ -1,0 +1,159 @@
+// The arrangement of heaps of tetrahedra that touch and cross: windings beside each facet by definition, facets apart,
+// and the same however the input is shuffled.
+#include "plumb/surface/solid/arrangement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "plumb/arith/error.hpp"
+#include "surface/solid/solid_laws.hpp"
+
+namespace plumb {
+namespace {
+
+using solid_laws::exact_mesh_of, solid_laws::winding_by_definition;
+using solids::box, solids::heap;
+
+RationalPoint3 beside(const Arrangement& all, std::size_t facet, const Rational& by) {
+  std::array<RationalPoint3, 3> t;
+  for (std::size_t k = 0; k < 3; ++k) t[k] = rational_point(all.vertices[all.facets[facet][k]]);
+  const Rational ux = t[1].x - t[0].x, uy = t[1].y - t[0].y, uz = t[1].z - t[0].z;
+  const Rational vx = t[2].x - t[0].x, vy = t[2].y - t[0].y, vz = t[2].z - t[0].z;
+  const Rational third(1, 3);
+  return {(t[0].x + t[1].x + t[2].x) * third + by * (uy * vz - uz * vy),
+          (t[0].y + t[1].y + t[2].y) * third + by * (uz * vx - ux * vz),
+          (t[0].z + t[1].z + t[2].z) * third + by * (ux * vy - uy * vx)};
+}
+
+/// How many points are on triangles that cancel is returned.
+std::size_t expect_windings(const std::vector<TriangleMesh>& meshes, const Arrangement& all, std::size_t every) {
+  std::size_t unlucky = 0;
+  std::vector<ExactMesh> exact;
+  for (const TriangleMesh& m : meshes) exact.push_back(exact_mesh_of(m));
+  for (std::size_t f = 0; f < all.facets.size(); f += every) {
+    for (const int side : {1, -1}) {
+      const RationalPoint3 p = beside(all, f, Rational(side) / Rational(1LL << 40));
+      const auto told = all.windings_of(side > 0 ? all.sides[f].above : all.sides[f].below);
+      for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const auto by_definition = winding_by_definition(exact[m], p);
+        if (!by_definition) {  // on triangles that cancel one another
+          ++unlucky;
+          continue;
+        }
+        EXPECT_EQ(told[m], *by_definition) << "facet " << f << ", side " << side << ", mesh " << m;
+      }
+    }
+  }
+  return unlucky;
+}
+
+/// Vertices, triangles and their corners in another order; the shape stays.
+TriangleMesh shuffled(const TriangleMesh& mesh, std::mt19937_64& random) {
+  std::vector<std::uint32_t> to(mesh.vertices.size());
+  std::iota(to.begin(), to.end(), 0U);
+  std::shuffle(to.begin(), to.end(), random);
+  TriangleMesh other;
+  other.vertices.resize(to.size());
+  for (std::size_t v = 0; v < to.size(); ++v) other.vertices[to[v]] = mesh.vertices[v];
+  for (auto corners : mesh.triangles) {
+    for (auto& v : corners) v = to[v];
+    std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(random() % 3), corners.end());
+    other.triangles.push_back(corners);
+  }
+  std::shuffle(other.triangles.begin(), other.triangles.end(), random);
+  return other;
+}
+
+TEST(Arrangement, WindingsOfHeapsByDefinition) {
+  std::size_t facets = 0, wound_otherwise = 0, unlucky = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    const std::vector<TriangleMesh> meshes{heap(random, 3, 2), heap(random, 2, 2), heap(random, 1, 3)};
+    const Arrangement all = arrange(meshes);
+    unlucky += expect_windings(meshes, all, 7);
+    facets += all.facets.size();
+    for (const std::int32_t w : all.windings) wound_otherwise += w < 0 || w > 1;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(facets, 1000U);
+  EXPECT_GT(wound_otherwise, 20U);
+  EXPECT_LT(100 * unlucky, facets);
+}
+
+TEST(Arrangement, TheOrderOfTheInputChangesNothing) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    const TriangleMesh a = heap(random, 4, 2), b = heap(random, 3, 2);
+    const Arrangement one = arrange(std::vector{a, b});
+    const Arrangement other = arrange(std::vector{shuffled(b, random), shuffled(a, random)});
+    EXPECT_EQ(one.facets, other.facets);
+    EXPECT_EQ(one.sides, other.sides);
+    EXPECT_EQ(one.first_source, other.first_source);
+    ASSERT_EQ(one.windings.size(), other.windings.size());
+    for (std::size_t i = 0; i < one.windings.size(); ++i) EXPECT_EQ(one.windings[i], other.windings[i ^ 1U]);
+    ASSERT_EQ(one.vertices.size(), other.vertices.size());
+    for (std::size_t v = 0; v < one.vertices.size(); ++v) {
+      EXPECT_EQ(one.vertices[v].as().index(), other.vertices[v].as().index());
+      EXPECT_TRUE(one.vertices[v] == other.vertices[v]);
+    }
+  }
+}
+
+TEST(Arrangement, FacesThatNothingCutsStayAsGiven) {
+  const TriangleMesh a = box({0.1, 0.2, 0.3}, {1, 1, 1});
+  const std::vector<TriangleMesh> meshes{a, box({5, 5, 5}, {6, 6, 6})};
+  const Arrangement all = arrange(meshes);
+  ASSERT_EQ(all.facets.size(), 24U);
+  EXPECT_EQ(all.vertices.size(), 16U);
+  for (const ExactPoint3& p : all.vertices) EXPECT_TRUE(std::holds_alternative<Point3>(p.as()));
+  for (std::size_t f = 0; f < 24; ++f) {
+    ASSERT_EQ(all.sources_of(f).size(), 1U);
+    const SourceFace from = all.sources_of(f)[0].face;
+    std::vector<Point3> told, given;
+    for (const std::uint32_t v : all.facets[f]) told.push_back(std::get<Point3>(all.vertices[v].as()));
+    for (const std::uint32_t v : meshes[from.mesh].triangles[from.triangle])
+      given.push_back(meshes[from.mesh].vertices[v]);
+    EXPECT_TRUE(std::ranges::is_permutation(told, given));
+  }
+}
+
+TEST(Arrangement, WhatCancelsIsGone) {
+  TriangleMesh twice = box({0, 0, 0}, {1, 1, 1});
+  solids::append(twice, box({0, 0, 0}, {1, 1, 1}), true);
+  EXPECT_TRUE(arrange(std::vector{twice}).facets.empty());
+  EXPECT_TRUE(arrange({}).facets.empty());
+  EXPECT_TRUE(arrange(std::vector{TriangleMesh{}}).facets.empty());
+}
+
+template <class Failure>
+std::string refusal(const TriangleMesh& mesh) {
+  try {
+    (void)arrange(std::vector{box({0, 0, 0}, {1, 1, 1}), mesh});
+  } catch (const Failure& failure) {
+    return failure.what();
+  }
+  return {};
+}
+
+TEST(Arrangement, BadInputIsRefusedByName) {
+  TriangleMesh open = box({0, 0, 0}, {1, 1, 1});
+  open.triangles.pop_back();
+  EXPECT_NE(refusal<InvalidShape>(open).find("the mesh is open at the edge from ("), std::string::npos);
+  TriangleMesh against = box({0, 0, 0}, {1, 1, 1});
+  std::swap(against.triangles[4][0], against.triangles[4][1]);
+  EXPECT_NE(refusal<InvalidShape>(against).find("triangles run against each other along the edge"), std::string::npos);
+  EXPECT_NE(refusal<InvalidShape>(against).find("of mesh 1"), std::string::npos);
+  TriangleMesh beyond = box({0, 0, 0}, {1, 1, 1});
+  beyond.triangles[7][1] = 8;
+  EXPECT_EQ(refusal<InvalidShape>(beyond), "arrange: triangle 7 of mesh 1 names vertex 8, and there are 8");
+  TriangleMesh infinite = box({0, 0, 0}, {1, 1, 1});
+  infinite.vertices[2].y = HUGE_VAL;
+  EXPECT_NE(refusal<NonFinite>(infinite).find("arrange: vertex 2 of mesh 1 is ("), std::string::npos);
+}
+
+}  // namespace
+}  // namespace plumb
