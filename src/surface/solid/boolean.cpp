@@ -1,8 +1,10 @@
 #include "plumb/surface/solid/boolean.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <string>
 #include <utility>
+
+#include "plumb/arith/error.hpp"
 
 namespace plumb {
 namespace {
@@ -49,15 +51,15 @@ ExactMesh combined(std::span<const TriangleMesh> meshes, WindingRule rule, const
 
 }  // namespace
 
-ExactMesh solid_where(const Arrangement& arrangement, const WindingPredicate& inside) {
-  const std::size_t regions = arrangement.meshes == 0 ? 0 : arrangement.windings.size() / arrangement.meshes;
-  std::vector<std::uint8_t> is_inside(regions);
-  for (std::size_t r = 0; r < regions; ++r) is_inside[r] = inside(arrangement.windings_of(r)) ? 1 : 0;
+ExactMesh solid_of(const Arrangement& arrangement, std::span<const std::uint8_t> is_solid) {
+  if (is_solid.size() != arrangement.regions())
+    throw UnequalLengths("solid_of: " + std::to_string(is_solid.size()) + " numbers are given, and there are " +
+                         std::to_string(arrangement.regions()) + " regions; give one for each");
   std::vector<std::pair<TriangleMesh::Triangle, SourceFace>> kept;
   for (std::size_t f = 0; f < arrangement.facets.size(); ++f) {
     const auto& [above, below] = arrangement.sides[f];
-    if (is_inside[above] == is_inside[below]) continue;
-    const bool turned = is_inside[above] != 0;
+    if ((is_solid[above] != 0) == (is_solid[below] != 0)) continue;
+    const bool turned = is_solid[above] != 0;
     auto corners = arrangement.facets[f];
     if (turned) std::swap(corners[1], corners[2]);
     kept.emplace_back(corners, source_of(arrangement.sources_of(f), turned));
@@ -71,10 +73,6 @@ ExactMesh solid_where(const Arrangement& arrangement, const WindingPredicate& in
   }
   drop_unused(result);
   return result;
-}
-
-ExactMesh solid_where(std::span<const TriangleMesh> meshes, const WindingPredicate& inside) {
-  return solid_where(arrange(meshes), inside);
 }
 
 ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule) { return unite(std::span(&mesh, 1), rule); }

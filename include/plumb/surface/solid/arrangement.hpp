@@ -54,6 +54,7 @@ struct Arrangement {
   /// Of region r around mesh m: windings[r * meshes + m].
   std::vector<std::int32_t> windings;
 
+  [[nodiscard]] std::size_t regions() const { return meshes == 0 ? 0 : windings.size() / meshes; }
   [[nodiscard]] std::span<const FacetSource> sources_of(std::size_t facet) const {
     return std::span(sources).subspan(first_source[facet], first_source[facet + 1] - first_source[facet]);
   }

@@ -21,7 +21,6 @@
 // Cost: that of arrange.  Bounded by n^4 signs.
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "plumb/surface/planar/triangulate_polygon.hpp"  // WindingRule
@@ -29,11 +28,21 @@
 
 namespace plumb {
 
-/// Is the point in the solid, by the winding numbers of the meshes around it?  False where all are 0.
-using WindingPredicate = std::function<bool(std::span<const std::int32_t>)>;
+/// Which side of facets is solid, one number for each region: 0 for those that are not.
+ExactMesh solid_of(const Arrangement& arrangement, std::span<const std::uint8_t> is_solid);
 
-ExactMesh solid_where(std::span<const TriangleMesh> meshes, const WindingPredicate& inside);
-ExactMesh solid_where(const Arrangement& arrangement, const WindingPredicate& inside);
+/// inside(windings), of a std::span<const std::int32_t>, says whether points are in the solid around which the meshes wind
+/// so; it must be false where all are 0.
+template <class Inside>
+ExactMesh solid_where(const Arrangement& arrangement, const Inside& inside) {
+  std::vector<std::uint8_t> is_solid(arrangement.regions());
+  for (std::size_t r = 0; r < is_solid.size(); ++r) is_solid[r] = inside(arrangement.windings_of(r)) ? 1 : 0;
+  return solid_of(arrangement, is_solid);
+}
+template <class Inside>
+ExactMesh solid_where(std::span<const TriangleMesh> meshes, const Inside& inside) {
+  return solid_where(arrange(meshes), inside);
+}
 
 ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule = WindingRule::positive);
 
