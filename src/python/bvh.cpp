@@ -5,9 +5,11 @@
 
 #include "plumb/space/closest/closest_on_mesh.hpp"
 #include "plumb/space/closest/closest_triangles.hpp"
+#include "plumb/space/closest/hausdorff.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/ray/inside.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
+#include "python/fractions.hpp"
 #include "python/mesh.hpp"
 #include "python/rooms.hpp"
 #include "python/unlocked.hpp"
@@ -105,6 +107,14 @@ py::tuple told_pairs(const std::vector<TrianglePair>& pairs) {
   return py::make_tuple(numbers, overlapping);
 }
 
+py::object hausdorff(const Bvh& self, const Bvh& other, double relative, double absolute) {
+  const HausdorffDistance d = unlocked([&] {
+    return hausdorff_distance(self, other, {.absolute = absolute, .relative = relative, .progress = interruptible()});
+  });
+  return answer("HausdorffDistance", d.least, d.most, d.is_within, d.of_b,
+                array_of<double>(std::span<const Point3>(&d.point, 1))[py::int_(0)]);
+}
+
 constexpr const char* about_pairs =
     "\n\nReturns\n-------\npairs : int32, shape (n, 2), in ascending order\noverlapping : bool, shape (n,), False "
     "where a "
@@ -160,7 +170,14 @@ void add_bvh(py::module_& module) {
           "distance", [](const Bvh& self, const Bvh& other) { return unlocked([&] { return distance(self, other); }); },
           py::arg("other"),
           "distance(self, other)\n--\n\nHow far are the two surfaces apart?  0 where they touch, inf where one is "
-          "empty.");
+          "empty.")
+      .def("hausdorff", hausdorff, py::arg("other"), py::kw_only(), py::arg("relative") = 0x1p-10,
+           py::arg("absolute") = 0.0,
+           "hausdorff(self, other, *, relative=2**-10, absolute=0.0)\n--\n\nHow far is the farthest point of either "
+           "surface from the other one?\n\nParameters\n----------\nother : Bvh\nrelative, absolute : float, not "
+           "negative; how far the two bounds may be apart, as a share of the greater, or as a "
+           "length\n\nReturns\n-------\n"
+           "HausdorffDistance");
 }
 
 }  // namespace plumb::python

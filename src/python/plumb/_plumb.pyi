@@ -60,6 +60,7 @@ __all__ = [
     "Triangle3",
     "angle_sign",
     "are_ordered_along_line",
+    "check",
     "closest_points",
     "collinear",
     "compare_along_direction",
@@ -110,6 +111,8 @@ __all__ = [
     "power_sign",
     "read_mesh",
     "relate",
+    "repair",
+    "sections",
     "side_of_line",
     "side_of_plane",
     "sign_of_radicals",
@@ -200,6 +203,9 @@ class Bvh:
     def self_intersections(self) -> tuple[NDArray[np.int32], NDArray[np.bool_]]: ...
     def intersections(self, other: Bvh) -> tuple[NDArray[np.int32], NDArray[np.bool_]]: ...
     def distance(self, other: Bvh) -> float: ...
+    def hausdorff(
+        self, other: Bvh, *, relative: float = 0.0009765625, absolute: float = 0.0
+    ) -> answers.HausdorffDistance: ...
 
 class Relation:
     disjoint: ClassVar[Relation]
@@ -716,3 +722,9 @@ def minimum_obb(points: ArrayLike) -> Any: ...
 def overlapping_pairs(
     boxes: ArrayLike, others: ArrayLike | None = None, *, touching: bool = True
 ) -> NDArray[np.int32]: ...
+
+def check(mesh: Mesh, nearer_than: float | None = None) -> answers.MeshReport: ...
+def repair(
+    mesh: Mesh, steps: Sequence[str | tuple[str, float]] | None = None, *, tolerance: float = 0.0
+) -> answers.Repaired: ...
+def sections(mesh: Mesh, planes: Sequence[Figure], *, on_plane: str = "above") -> list[list[answers.Contour]]: ...

@@ -1,11 +1,11 @@
 """The answers that have several parts: tuples whose parts have names."""
 
 from fractions import Fraction
-from typing import Any, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
-__all__ = ["ClosestPoints", "Contact", "ContactCorner", "ExactContact", "ExactContactCorner", "ExactDistance",
-           "ExactPenetration", "Feature", "FirstContact", "Hit", "Intersection", "MinimumSphere", "Penetration", "PolynomialRoot",
-           "SquareRoot", "Support"]
+__all__ = ["ClosestPoints", "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
+           "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
+           "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support"]
 
 
 class Feature(NamedTuple):
@@ -148,3 +148,56 @@ class MinimumSphere(NamedTuple):
 
     ball: Any  # Circle2 or Sphere3, rounded once
     support: Any  # int32, shape (k,): the points that it is the smallest ball of
+
+
+class MeshReport(Dict[str, Any]):
+    """What is wrong with a mesh: a dict by the names of `plumb check --json`, which prints."""
+
+    def __str__(self) -> str:
+        counts = [f"{value} {name.replace('_', ' ')}" for name, value in self.items()
+                  if type(value) is int and value and name not in ("triangles", "shell_count", "closed_shells")]
+        wrong = ", ".join(self["defects"]) or "nothing"
+        solid = [word if self[word] else f"not {word}" for word in ("closed", "oriented")]
+        shells = f"{self['shell_count']} shell{'' if self['shell_count'] == 1 else 's'}"
+        lines = [f"surface     {', '.join(solid)}, {shells} of {self['triangles']} triangles",
+                 f"wrong       {wrong}", *(f"            {count}" for count in counts)]
+        return "\n".join(lines)
+
+
+class RepairChange(NamedTuple):
+    """One change that mended a mesh, or what was left as it was."""
+
+    what: str
+    step: str
+    place: Any  # float64, shape (3,)
+    count: int
+    distance: float
+    is_left: bool
+
+
+class Repaired(NamedTuple):
+    """A mesh that was mended, what was changed, and what is still wrong with it."""
+
+    mesh: Any  # Mesh
+    changes: List[RepairChange]
+    report: MeshReport
+
+
+class Contour(NamedTuple):
+    """A contour of a section of a mesh by a plane, or a chain where the mesh is open."""
+
+    points: Any  # float64, shape (n, 3): the corners, rounded once
+    closed: bool
+    turn: int  # 1: counterclockwise seen from the normal's side; -1: a hole; 0: no area
+    parent: Optional[int]  # the contour around it
+    depth: int  # how many lie around it
+
+
+class HausdorffDistance(NamedTuple):
+    """Between which numbers is the distance of two surfaces from one another, and where is it attained?"""
+
+    least: float
+    most: float
+    is_within: bool  # the tolerance that was asked for
+    of_other: bool  # the point is one of the other mesh
+    point: Any  # float64, shape (3,)

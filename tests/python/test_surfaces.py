@@ -1,0 +1,131 @@
+"""Are reports on meshes, what mends them and sections those of counts and fractions?"""
+
+import json
+import math
+import random
+from collections import Counter
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import plumb
+from test_meshes import CUBE, cube, meet
+from test_signs import SEED, cross, sub
+
+
+def counted(mesh):
+    """By hand: open edges, edges of more than two triangles, repeated vertices, triangles of no area, pairs that meet."""
+    faces = mesh.faces.tolist()
+    edges = Counter(frozenset((f[i], f[(i + 1) % 3])) for f in faces for i in range(3) if f[i] != f[(i + 1) % 3])
+    corners = [[list(map(Fraction, mesh.vertices[v].tolist())) for v in f] for f in faces]
+    flat = [not any(cross(sub(b, a), sub(c, a))) for a, b, c in corners]
+    places = Counter(tuple(p) for p in mesh.vertices.tolist())
+    return {"open_edges": sum(n == 1 for n in edges.values()), "non_manifold_edges": sum(n > 2 for n in edges.values()),
+            "degenerate_triangles": sum(flat), "repeated_vertices": sum(n - 1 for n in places.values()),
+            "closed": all(n % 2 == 0 for n in edges.values())}, corners
+
+
+def test_reports_are_those_of_counts():
+    source = random.Random(SEED)
+    seen = Counter()
+    for _ in range(60):
+        n = source.randint(4, 9)
+        vertices = [[source.randint(0, 3) for _ in range(3)] for _ in range(n)]
+        faces = [source.sample(range(n), 3) for _ in range(source.randint(1, 8))]
+        mesh = plumb.Mesh(vertices, faces)
+        report = plumb.check(mesh)
+        expected, _ = counted(mesh)
+        assert {name: report[name] for name in expected} == expected
+        seen.update(report["defects"])
+        assert ("open" in report["defects"]) == (not report["closed"]) == (expected["open_edges"] > 0 or not expected["closed"])
+        assert ("degenerate" in report["defects"]) == (expected["degenerate_triangles"] > 0)
+        assert json.loads(json.dumps(report)) == report and str(report).startswith("surface ")
+    assert len(seen) >= 5, seen
+
+
+def test_surfaces_that_meet_themselves():
+    source = random.Random(SEED + 1)
+    yes = 0
+    for _ in range(80):
+        corners = np.array([[source.randint(0, 4) for _ in range(3)] for _ in range(6)], float)
+        mesh = plumb.Mesh(corners, [[0, 1, 2], [3, 4, 5]])
+        expected, triangles = counted(mesh)
+        if expected["degenerate_triangles"] or expected["repeated_vertices"]:
+            continue
+        report = plumb.check(mesh)
+        assert report["self_intersecting"] == meet(*triangles) == (report["touching"] + report["overlapping"] > 0)
+        yes += report["self_intersecting"]
+    assert 5 < yes < 70
+
+
+def test_a_cube():
+    report = plumb.check(cube())
+    assert report["defects"] == [] and report["shells"][0]["volume"] == 8 and report["closed"] and report["oriented"]
+    assert "nothing" in str(report)
+    inside_out = plumb.check(plumb.Mesh(CUBE[0], CUBE[1][:, ::-1]))
+    assert inside_out["defects"] == ["inside-out"] and inside_out["shells"][0]["volume"] == -8
+    spike = np.concatenate([CUBE[1], [[8, 0, 1]]])
+    near = plumb.check(plumb.Mesh(np.concatenate([CUBE[0], [[0, 0, 1e-9]]]), spike), nearer_than=1e-6)
+    assert near["nearer_than"] == 1e-6 and near["close_vertices"] == 2 and "close-vertices" in near["defects"]
+
+
+def test_what_is_mended():
+    soup = plumb.Mesh(CUBE[0][CUBE[1]].reshape(-1, 3), np.arange(36).reshape(-1, 3))
+    assert plumb.check(soup)["open_edges"] == 36
+    done = plumb.repair(soup)
+    assert done.report["defects"] == [] and len(done.mesh.vertices) == 8 and done.report["shells"][0]["volume"] == 8
+    assert sum(c.what == "vertex merged with another" for c in done.changes) == 28 and not any(c.is_left for c in done.changes)
+    assert plumb.check(done.mesh) == done.report
+    hole = plumb.repair(plumb.Mesh(CUBE[0], CUBE[1][2:]), ["holes"])
+    assert hole.report["closed"] and [(c.what, c.step, c.count) for c in hole.changes] == [("hole filled", "holes", 2)]
+    moved = CUBE[0][CUBE[1]].reshape(-1, 3)
+    moved[0] += 1e-7
+    assert plumb.repair(plumb.Mesh(moved, soup.faces), [("weld", 1e-6)]).report["closed"]
+    assert not plumb.repair(plumb.Mesh(moved, soup.faces), ["weld"]).report["closed"]
+    assert len(plumb.repair(cube(), [("small-components", 13)]).mesh.faces) == 0
+
+
+def test_sections():
+    planes = [plumb.Plane3([0, 0, 1], z) for z in (0.5, 3, 2, 0)]
+    cuts = plumb.sections(cube(), planes)
+    assert [len(c) for c in cuts] == [1, 0, 1, 0]
+    assert [len(c) for c in plumb.sections(cube(), planes, on_plane="below")] == [1, 0, 0, 1]
+    contour = cuts[0][0]
+    assert contour.closed and contour.turn == 1 and contour.parent is None and contour.depth == 0
+    assert (contour.points[:, 2] == 0.5).all()
+    x, y = contour.points[:, 0], contour.points[:, 1]
+    assert abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2 == 4
+    hollow = plumb.Mesh(np.concatenate([CUBE[0], CUBE[0] / 2 + 0.5]), np.concatenate([CUBE[1], CUBE[1][:, ::-1] + 8]))
+    (both,) = plumb.sections(hollow, [plumb.ThreePointPlane3([0, 0, 1], [1, 0, 1], [0, 1, 1])])
+    assert sorted((c.depth, c.turn) for c in both) == [(0, 1), (1, -1)] and {c.parent for c in both} == {None, 0} or \
+        {c.parent for c in both} == {None, 1}
+
+
+def test_hausdorff_distance():
+    a, b = plumb.Bvh(cube()), plumb.Bvh(cube((0, 0, 3)))
+    far = a.hausdorff(b)
+    assert far.least <= 3 <= far.most and far.is_within and far.most - far.least <= far.most / 1024
+    exact = plumb.Bvh(plumb.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+    same = exact.hausdorff(exact)
+    assert same.least == 0 and same.most < 1e-9
+    assert math.isclose(a.hausdorff(exact, relative=2**-20).most, math.dist([2, 2, 2], [0.5, 0.5, 0]), rel_tol=1e-5)
+
+
+@pytest.mark.parametrize("make, error, text", [
+    (lambda: plumb.check(3), TypeError, "check"),
+    (lambda: plumb.check(cube(), -1.0), ValueError, "negative|length|nearer"),
+    (lambda: plumb.repair(cube(), ["wield"]), ValueError, "there is no step 'wield'; there are weld, degenerate"),
+    (lambda: plumb.repair(cube(), [3]), TypeError, "a step is a name"),
+    (lambda: plumb.repair(cube(), [("weld", -1)]), ValueError, "tolerance"),
+    (lambda: plumb.repair(cube(), [("weld", math.nan)]), ValueError, "nan"),
+    (lambda: plumb.repair(cube(), tolerance=-1.0), ValueError, "tolerance"),
+    (lambda: plumb.sections(cube(), [plumb.Sphere3([0, 0, 0], 1)]), ValueError, "no Plane3"),
+    (lambda: plumb.sections(cube(), [plumb.Plane3([0, 0, 0], 1)]), ValueError, "normal"),
+    (lambda: plumb.sections(cube(), [], on_plane="beside"), ValueError, "on_plane is 'beside'"),
+    (lambda: plumb.Bvh(cube()).hausdorff(plumb.Bvh(plumb.Mesh([], []))), ValueError, "hausdorff"),
+    (lambda: plumb.Bvh(cube()).hausdorff(plumb.Bvh(cube()), relative=-1), ValueError, "hausdorff"),
+])
+def test_what_is_refused(make, error, text):
+    with pytest.raises(error, match=text):
+        make()
