@@ -78,7 +78,7 @@ def test_what_is_mended():
     assert sum(c.what == "vertex merged with another" for c in done.changes) == 28 and not any(c.is_left for c in done.changes)
     assert plumb.check(done.mesh) == done.report
     hole = plumb.repair(plumb.Mesh(CUBE[0], CUBE[1][2:]), ["holes"])
-    assert hole.report["closed"] and [(c.what, c.step, c.count) for c in hole.changes] == [("hole filled", "holes", 2)]
+    assert hole.report["closed"] and [(c.what, c.step, c.how_many) for c in hole.changes] == [("hole filled", "holes", 2)]
     moved = CUBE[0][CUBE[1]].reshape(-1, 3)
     moved[0] += 1e-7
     assert plumb.repair(plumb.Mesh(moved, soup.faces), [("weld", 1e-6)]).report["closed"]

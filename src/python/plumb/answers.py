@@ -170,7 +170,7 @@ class RepairChange(NamedTuple):
     what: str
     step: str
     place: Any  # float64, shape (3,)
-    count: int
+    how_many: int
     distance: float
     is_left: bool
 
