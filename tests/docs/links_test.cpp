@@ -43,6 +43,21 @@ TEST_P(Links, NamesOfFilesAreTrue) {
   }
 }
 
+// `surface/topology/shells.hpp`, `plumb/arith/point.hpp`: as includes have them, or beside include/plumb/.
+TEST_P(Links, NamesOfHeadersAreTrue) {
+  const std::set<std::string> folders{"plumb", "arith",   "certify", "degenerate", "figure", "query",
+                                      "space", "surface", "world",   "tool",       "lab"};
+  const Document document = read_document(GetParam());
+  for (const Link& name : document.mentions) {
+    const std::string& path = name.target;
+    if (!path.ends_with(".hpp") || path.find_first_of(" <>*{(") != path.npos) continue;
+    if (path.find('/') == path.npos || !folders.contains(path.substr(0, path.find('/')))) continue;
+    EXPECT_TRUE(fs::exists(tree / "include" / path) || fs::exists(tree / "include/plumb" / path) ||
+                fs::exists(tree / "src" / path) || fs::exists(tree / "tests" / path))
+        << document.path.string() << ":" << name.line << ": " << path;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Links, testing::ValuesIn(document_paths()),
                          [](const auto& at) { return at.param.stem().string(); });
 

@@ -1,4 +1,5 @@
 // Does `plumb parts` tell and write the convex parts of a file's solid, and hulls that cover it?
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -36,8 +37,8 @@ TEST(PartsCommand, SaysTheConvexParts) {
             "ell.obj: 12 vertices, 20 triangles, closed\n"
             "1 notch, 1 cut: 2 convex parts\n"
             "    part vertices    faces                   volume\n"
-            "       1        8        6                        3\n"
-            "       2        8        6                        2\n");
+            "       0        8        6                        3\n"
+            "       1        8        6                        2\n");
   EXPECT_THAT(run(in(folder) + "cube.obj").out, HasSubstr("0 notches, 0 cuts: 1 convex part\n"));
 }
 
@@ -45,7 +46,8 @@ TEST(PartsCommand, WritesPartsThatAreClosedAndConvex) {
   const Folder folder;
   const std::string at = in(folder);
   ASSERT_EQ(run(at + "ell.obj --obj parts.obj").code, 0);
-  EXPECT_THAT(content(folder / "parts.obj"), AllOf(HasSubstr("o part-1\n"), HasSubstr("o part-2\n")));
+  EXPECT_THAT(content(folder / "parts.obj"),
+              AllOf(HasSubstr("o part-0\n"), HasSubstr("o part-1\n"), Not(HasSubstr("o part-2\n"))));
   const Outcome o = run("cd " + (folder / "") + " && $PLUMB check --brief parts.obj");
   EXPECT_LE(o.code, 1) << o.err;
   EXPECT_EQ(run(at + "ell.obj --obj parts.obj").code, 2);
@@ -65,6 +67,10 @@ TEST(PartsCommand, CoversWithHulls) {
   EXPECT_LE(concavity, 1.1);
   const json two = json::parse(run(in(folder) + "--concavity 0.5 --json - ell.obj").out);
   EXPECT_EQ(two.at("solid_parts").size(), 2u);
+  for (const int part : {0, 1}) {  // counted from 0, in the table and as shares
+    EXPECT_THAT(run(in(folder) + "--concavity 0.5 ell.obj").out, HasSubstr(fmt::format("\n{:>8}        8", part)));
+    EXPECT_EQ(two.at("solid_parts")[static_cast<std::size_t>(part)].at("share"), json{part});
+  }
   EXPECT_THAT(run(in(folder) + "--concavity 2 ell.obj").out, HasSubstr("2 convex parts, covered by 1 hull\n"));
 }
 

@@ -164,6 +164,29 @@ TEST(RepairCommand, PolygonsThatAreNotPlanarAreRefusedWhereThatIsAsked) {
     EXPECT_EQ(run(std::string("$PLUMB repair --dry-run --planar ") + words + " " + a).code, 2) << words;
 }
 
+TEST(RepairCommand, GoesOnBehindAMeshThatIsNotPlanar) {
+  const Folder folder;
+  put(folder / "a.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 1\nf 1 2 3 4\n");
+  put(folder / "b.obj", broken);
+  put(folder / "c.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 2\nf 1 2 3 4\n");
+  const std::string at = "cd " + (folder / "") + " && $PLUMB repair --planar 0.01 ";
+  const Outcome o = run(at + "a.obj b.obj c.obj -o out");
+  EXPECT_EQ(o.code, 2);
+  EXPECT_THAT(o.err, AllOf(HasSubstr("a.obj: polygon 0"), HasSubstr("c.obj: polygon 0")));
+  EXPECT_THAT(o.out, AllOf(HasSubstr("b.obj\n"), HasSubstr("hole filled: 1")));
+  EXPECT_EQ(run("test -e " + (folder / "out")).code, 1) << "nothing is written";
+  EXPECT_EQ(run("cd " + (folder / "") + " && mkdir in && mv *.obj in").code, 0);
+  const Outcome of_folder = run(at + "--json report.json in -o out");  // what a folder holds is reported on
+  EXPECT_EQ(of_folder.code, 2);
+  EXPECT_FALSE(find_faults(read_mesh(folder / "out/b.obj")).any());
+  EXPECT_EQ(run("ls " + (folder / "out")).out, "b.obj\n");
+  const json report = json::parse(content(folder / "report.json"));
+  EXPECT_EQ(report.at("meshes").size(), 1U);
+  ASSERT_EQ(report.at("not_read").size(), 2U);
+  EXPECT_EQ(report.at("not_read")[1].at("mesh"), "in/c.obj");
+  EXPECT_THAT(std::string(report.at("not_read")[1].at("error")), HasSubstr("polygon 0"));
+}
+
 TEST(RepairCommand, StandardInputAndOutput) {
   const Folder folder;
   put(folder / "a.obj", broken);

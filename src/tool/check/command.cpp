@@ -135,12 +135,7 @@ int run_check(const CheckOptions& options) {
   }
   if (options.chart) outputs.write("--chart", chart_svg(checks));
   const bool fails = any_wrong(checks, options.fail_on_wrong) || any_defect(checks, options.fail_on_defect);
-  // What was named is to be read; what a folder holds is reported on.
-  const bool named_one = std::ranges::any_of(checker.unread(), [&](const UnreadMesh& mesh) {
-    return std::ranges::any_of(options.meshes.words,
-                               [&](const std::string& word) { return name_of_input(word) == mesh.name; });
-  });
-  if (!named_one) outputs.keep();
+  if (!is_any_named(options.meshes, checker.unread())) outputs.keep();
   if (!all_good) return 2;
   return fails ? 1 : 0;
 }

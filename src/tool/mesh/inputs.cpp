@@ -161,6 +161,13 @@ PolygonMesh read_input(const std::string& file, LoadReport* report, const ReadOp
   return told(file, report, [&](LoadReport* load) { return read_polygon_mesh(file, load, options); });
 }
 
+bool is_any_named(const MeshArguments& arguments, const std::vector<UnreadMesh>& unread) {
+  return std::ranges::any_of(unread, [&](const UnreadMesh& mesh) {
+    return std::ranges::any_of(arguments.words,
+                               [&](const std::string& word) { return name_of_input(word) == mesh.name; });
+  });
+}
+
 bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,
                const std::function<void(UnreadMesh)>& refuse) {
   bool good = inputs.faults.empty();

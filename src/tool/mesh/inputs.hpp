@@ -67,6 +67,9 @@ struct UnreadMesh {
   std::string name, why;
 };
 
+/// Is one of them an argument?  What was named is to be read, what a folder holds is reported on.
+bool is_any_named(const MeshArguments& arguments, const std::vector<UnreadMesh>& unread);
+
 /// Every mesh in turn.  What cannot be read is complained of, and told to `refuse` if that is given, and the others are
 /// still taken; false then.
 bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,

@@ -84,7 +84,7 @@ std::string parts_text(const PartsReport& report, bool all, const Style& style) 
   for (const SolidPart& part : report.parts) moved += !part.is_exact;
   for (std::size_t i = 0; i < shown; ++i) {
     const SolidPart& part = report.parts[i];
-    text += fmt::format("{:>8} {:>8} {:>8} {:>24}", i + 1, part.mesh.vertices.size(), part.faces, part.volume);
+    text += fmt::format("{:>8} {:>8} {:>8} {:>24}", i, part.mesh.vertices.size(), part.faces, part.volume);
     text += report.covers ? fmt::format("  {}\n", part.concavity) : "\n";
   }
   if (shown < report.parts.size())
@@ -126,7 +126,7 @@ int run_parts(const PartsOptions& options) {
   if (options.json) outputs.write("--json", json_text(parts_json(report)));
   if (options.obj.path) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < report.parts.size(); ++i) names.push_back(fmt::format("part-{}", i + 1));
+    for (std::size_t i = 0; i < report.parts.size(); ++i) names.push_back(fmt::format("part-{}", i));
     outputs.write("--obj", triangles_obj("plumb parts: the " + std::string(report.covers ? "hulls" : "convex parts") +
                                              " of " + report.mesh.name,
                                          groups_of(report, names)));

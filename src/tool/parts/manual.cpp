@@ -11,7 +11,8 @@ Parts the solid that MESH bounds, a file as `plumb check` reads it, into
 convex polyhedra: none overlap, none is missing, and their volumes add up
 to the mesh's, exactly. It is cut along planes of its own triangles; a
 corner that is no double is written as the nearest one, and it is said
-of how many parts that is so.
+of how many parts that is so. Parts are counted from 0, in the table, in
+JSON and in the names of objects.
 
 With --concavity, --most or both, hulls are told instead, each of which
 holds the parts that it stands for, for certain: as collision geometry.

@@ -131,16 +131,16 @@ void promise_meshes(const RepairSettings& settings, const Destinations& to, Outp
   }
 }
 
-/// Throws Error where a polygon is thicker than is allowed; its number is that of the file, from 0, as everywhere.
-void require_planar(const InputMesh& input, const std::optional<double>& length) {
-  if (!length) return;
+/// Why a mesh is refused that has a polygon thicker than is allowed; its number is that of the file, from 0, as everywhere.
+std::optional<std::string> why_not_planar(const InputMesh& input, const std::optional<double>& length) {
+  if (!length) return {};
   const std::vector<BentFace> bent = plumb::bent_faces(input.mesh, *length);
-  if (bent.empty()) return;
+  if (bent.empty()) return {};
   const std::string more = bent.size() == 1 ? "" : fmt::format(", as are {} more", bent.size() - 1);
-  throw Error(fmt::format(
+  return fmt::format(
       "{}: polygon {}, counted from 0, is {} thick, which is more than '--planar {}' allows{}; allow more, or "
       "leave the option out to have such polygons triangulated",
-      printable(input.name), bent[0].face, bent[0].width.width, *length, more));
+      printable(input.name), bent[0].face, bent[0].width.width, *length, more);
 }
 
 Repaired mended(const std::string& name, const TriangleMesh& mesh, const std::vector<RepairStep>& steps) {
@@ -191,11 +191,20 @@ int run_repair(const RepairSettings& settings) {
   std::vector<LaterFile> later;
   later.reserve(to.paths.size());
   bool any_left = false;
-  const bool all_good = each_mesh(
+  std::vector<UnreadMesh> refused;
+  const auto refuse = [&](UnreadMesh m) {
+    report["not_read"].push_back({{"mesh", m.name}, {"error", m.why}});
+    refused.push_back(std::move(m));
+  };
+  const bool all_read = each_mesh(
       inputs, settings.meshes.reading(),
       [&](InputMesh input) {
         outputs.require_not_read(input.load.files_beside);
-        require_planar(input, settings.planar);
+        if (const auto why = why_not_planar(input, settings.planar)) {
+          complain(*why);
+          refuse({input.name, *why});
+          return;
+        }
         const TriangleMesh mesh = triangulate(input.mesh, &input.load.fans);
         MendedMesh m{input.name, input.load, mesh.vertices.size(), mesh.triangles.size(), find_faults(mesh), {}, {}};
         m.done = mended(m.name, mesh, steps);
@@ -215,15 +224,14 @@ int run_repair(const RepairSettings& settings) {
         report["meshes"].push_back(repair_json(m));
         if (settings.page) page.add(mesh, m);
       },
-      [&](const UnreadMesh& m) {
-        report["not_read"].push_back({{"mesh", m.name}, {"error", m.why}});
-      });
+      refuse);
   if (outputs.wants("--json")) outputs.write("--json", json_text(report));
   if (settings.page) outputs.write("--page", page.text());
-  if (!all_good) return 2;
+  if (is_any_named(settings.meshes, refused)) return 2;
   std::vector<PathAndText> files = outputs.keep_streams();
   for (const LaterFile& file : later) files.push_back({file.path, file.text, surface::Replacing::no});
   keep_files(files, to.folders);
+  if (!all_read || !refused.empty()) return 2;
   return settings.fail_on_left && any_left ? 1 : 0;
 }
 

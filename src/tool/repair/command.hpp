@@ -2,9 +2,11 @@
 //
 // Laws: (1) one mesh becomes one file, several and folders become a folder of files with their names.  (2) No file that
 // is there is replaced, unless that is asked for, and never one that is read.  (3) Text and JSON tell the same.  (4)
-// What is left of faults is told by what judges any mesh (`plumb check`).
-// Exit code 0 when done, 1 where --fail-on-left is given and a fault is left; a mesh or words that cannot be read, a
-// step that there is not, a polygon thicker than is allowed, an output that cannot be written throw Error.
+// What is left of faults is told by what judges any mesh (`plumb check`).  (5) A mesh that is refused is told, and the
+// others go on: if it was named, no mesh is written; if a folder holds it, theirs are.
+// Exit code 0 when done, 1 where --fail-on-left is given and a fault is left, 2 where a mesh is refused: it cannot be read,
+// or has a polygon thicker than is allowed; words that cannot be read, a step that there is not, an output that cannot be
+// written throw Error.
 // Source: plumb/surface/repair/repair.hpp.
 // Cost: that of repair, and of find_faults before it.
 #pragma once
