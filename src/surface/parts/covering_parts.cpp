@@ -49,6 +49,7 @@ RoundedPart rounded_part(const ConvexPart& part) {
   if (hull.hull.dimension < 3) hull = hull_around(rounded.around);  // thinner than doubles tell
   rounded.near = hull.vertices;
   rounded.hull = convex_polyhedron(hull.hull, hull.vertices);
+  rounded.planes = surface::guessed_planes(rounded.hull);
   rounded.low = rounded.high = rounded.around[0];
   for (const Point3& p : rounded.around) {
     rounded.low = {std::min(rounded.low.x, p.x), std::min(rounded.low.y, p.y), std::min(rounded.low.z, p.z)};

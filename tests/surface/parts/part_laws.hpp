@@ -32,10 +32,14 @@ inline Rational volume_of(const TriangleMesh& mesh) {
   return exact_number(mpq_class(six / 6));
 }
 
+/// In pairs of sums: denominators grow with what is added, and one after another they would be long from the start.
 inline Rational volume_of(const ConvexParts& found) {
-  Rational sum = 0;
-  for (const ConvexPart& p : found.parts) sum = sum + exact_volume(p.solid);
-  return sum;
+  std::vector<Rational> sums{Rational(0)};
+  for (const ConvexPart& p : found.parts) sums.push_back(exact_volume(p.solid));
+  for (; sums.size() > 1; sums.resize((sums.size() + 1) / 2))
+    for (std::size_t i = 0; 2 * i < sums.size(); ++i)
+      sums[i] = 2 * i + 1 < sums.size() ? sums[2 * i] + sums[2 * i + 1] : sums[2 * i];
+  return sums[0];
 }
 
 inline std::vector<Exact3> corners_of(const ConvexPart& part) {
