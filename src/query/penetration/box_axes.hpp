@@ -9,9 +9,11 @@
 // Cost: some 60 operations an axis.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <span>
 
+#include "plumb/arith/interval.hpp"
 #include "plumb/certify/certainly.hpp"
 #include "query/separation/corners.hpp"
 
@@ -119,6 +121,28 @@ struct NearAxes {
     told.middle = sign(m), told.overlap = sign(overlap_along(pairs[told.picked], n, m));
     for (std::uint32_t k = 0; k < 6; ++k) {
       if (k != pairs[told.picked][0] && k != pairs[told.picked][1]) told.along[k] = sign(tracked_dot(n, g[k]));
+    }
+    // Squares are off by as much as the scales' are, however small they are themselves: where that leaves several, the
+    // overlaps are compared by what they lie between; but not along what may be the same axis.
+    if constexpr (requires {
+                    { w.lower(of_least) } -> std::same_as<double>;
+                  }) {
+      const auto between = [&](const auto& x) { return Interval(w.lower(x), w.upper(x)); };
+      const auto is_above = [](const Interval& x) { return x.sign() == Unsure{Sign::positive}; };
+      std::optional<Interval> least_square;
+      for (std::uint32_t i = 0; i < pairs.size() && told.overlap == Sign::positive; ++i) {
+        const bool may_be_same = told.along[pairs[i][0]] == Sign::zero && told.along[pairs[i][1]] == Sign::zero;
+        if (may_be_same || (told.near >> i & 1) == 0) continue;
+        if (!least_square) {
+          const Interval overlap = between(overlap_along(pairs[told.picked], n, m));
+          if (!is_above(overlap)) break;
+          least_square = overlap * overlap;
+        }
+        const auto of_i = normal(pairs[i]);
+        const Interval other = between(overlap_along(pairs[i], of_i, tracked_dot(of_i, c)));
+        const Interval more = other * other * between(of_least) - *least_square * between(*length_square[i]);
+        if (is_above(other) && is_above(more)) told.near ^= 1U << i;
+      }
     }
     for (std::size_t body = 0; body < 2; ++body) {
       const auto &u = g[3 * body], &v = g[3 * body + 1], &x = g[3 * body + 2];

@@ -3,14 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "certify/statements/golden_statements.hpp"
 #include "certify/statements/mutant_statements.hpp"
 #include "certify/statements/promised_share.hpp"
 #include "certify/statements/proved_statements.hpp"
 #include "plumb/certify/judged_proofs.hpp"
+#include "plumb/degenerate/entropy.hpp"
 
 namespace plumb::query::parting {
 namespace {
@@ -174,6 +179,45 @@ TEST(NearBoxAxes, MutantsAreNoticed) {
                                                   return std::optional(NearAxes{}(w, x.a, x.b, fifteen(x.pair), first));
                                                 },
                                                 truth, 0, 10000));
+}
+
+/// Boxes that stand on one another all but flush, on ground that is far larger than they sink into it: no axis is left out
+/// that is as near, and most of those that are not are.
+TEST(NearBoxAxes, OfNearlyFlushBoxesAreFew) {
+  int alone = 0, several = 0, not_least = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Entropy entropy(54, seed);
+    const auto noise = [&](double size) { return size * (static_cast<double>(entropy.bits(53)) * 0x1p-52 - 1); };
+    const double tilt = std::ldexp(1.0, -static_cast<int>(entropy.bits(5))), size = seed % 2 == 0 ? 0.5 : 20;
+    const auto box = [&](double height, double half, double yaw, double pitch) {
+      const double c = std::cos(yaw), s = std::sin(yaw), d = std::cos(pitch), t = std::sin(pitch);
+      GivenBox b{{Vector3{c, 0, -s}, Vector3{s * t, d, c * t}, Vector3{s * d, -t, c * d}}, {}, {}};
+      b.length = {{{-half, half}, {-0.5, 0.5}, {-half, half}}};
+      const double x = noise(0.02);
+      b.middle = {{{-x, x}, {-height, height}, {0, 0}}};
+      return b;
+    };
+    const GivenBox a = box(1 - std::fabs(noise(1e-3)), 0.5, noise(3), noise(tilt)),
+                   b = box(0, size, noise(3), noise(tilt));
+    std::vector<std::pair<double, Pair>> order;  // a guess, of axes that are not those of nearly parallel edges
+    for (const Pair& p : fifteen({0, 1})) {
+      const Along along({a, b, {}}, p[0], p[1]);
+      if (along.square > 0x1p-40) order.emplace_back(along.overlap / std::sqrt(along.square), p);
+    }
+    std::ranges::sort(order);
+    const bool is_least = seed % 3 != 0;
+    const auto all = fifteen(order[is_least ? 0 : 1].second);
+    FloatWorld<NearAxes> floats;
+    RationalWorld rationals;
+    const NearAxes::Told told = NearAxes{}(floats, a, b, all, first), exact = NearAxes{}(rationals, a, b, all, first);
+    EXPECT_TRUE(floats.certain()) << seed;
+    EXPECT_EQ(told.near & exact.near, exact.near) << seed;
+    not_least += exact.near != 1;
+    if (is_least) ++(told.near == 1 ? alone : several);
+  }
+  std::printf("one axis is left of %d, several of %d\n", alone, several);
+  EXPECT_GT(alone, 3 * several);
+  EXPECT_GT(not_least, 50);
 }
 
 }  // namespace
