@@ -5,6 +5,7 @@
 #include "arith/sparse_vec.hpp"
 #include "certify/fused.hpp"
 #include "query/penetration/box_axes.hpp"
+#include "query/penetration/two_boxes.hpp"
 #include "query/penetration/zonotope.hpp"
 
 namespace plumb::query::parting {
@@ -129,22 +130,6 @@ class Axes {
   std::optional<Numbers> numbers_;  // as a rule doubles tell all
 };
 
-/// The axis of space that a normal is along by zeros, and whether it leads up.
-struct AlongAxis {
-  int axis;
-  Sign up;
-};
-std::optional<AlongAxis> axis_of(const Vec<Running>& n) {
-  const std::array is_zero{certainly_zero(n.x), certainly_zero(n.y), certainly_zero(n.z)};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const bool is_along = is_zero[(k + 1) % 3] && is_zero[(k + 2) % 3] && !is_zero[k];
-    const auto axis = static_cast<int>(k);
-    const int up = is_along ? certain_sign(along_axis(n, axis)) : 0;
-    if (up != 0) return AlongAxis{axis, static_cast<Sign>(up)};
-  }
-  return {};
-}
-
 /// Of sums as they stand, whose groups lead one way each: what they overlap by along an axis of space, times two.
 Ball overlap_along(const EdgeSum& sum, int axis) {
   const Difference& d = sum.difference();
@@ -169,11 +154,6 @@ struct Signs {
   std::array<std::uint32_t, 2> of;
   Sign overlap, middle;
   std::array<Sign, 6> along{};  // of each group
-};
-/// The same as far as doubles tell.
-struct RoughSigns {
-  std::optional<Sign> overlap, middle;
-  std::array<std::optional<Sign>, 6> along{};
 };
 /// An axis of space that the normal is along tells its signs at once, pairs of doubles what is left open; nothing is told
 /// where these leave it open, or where nothing leads along the normal.
@@ -244,9 +224,9 @@ struct Least {
   Signs signs;
   bool is_widest = true;
 };
-/// `signs_at(i)`: as `signs_of` tells.
-template <class SignsAt>
-std::optional<Least> least_of(Candidates c, Axes& axes, const SignsAt& signs_at) {
+/// `signs_at(i)`: as `signs_of` tells.  `quick_order(i, k)`: is the axis near[k] farther than axis i, as far as that is known?
+template <class SignsAt, class QuickOrder>
+std::optional<Least> least_of(Candidates c, Axes& axes, const SignsAt& signs_at, const QuickOrder& quick_order) {
   const auto fine = [&](std::uint32_t i) -> const Axis<Ball>& { return axes(i, c.of[i][0], c.of[i][1]); };
   const auto order = [&](std::uint32_t i, std::uint32_t j) {
     const auto s = axes.quick_sign({Asked::order, i, c.of[i], j, c.of[j]});
@@ -261,7 +241,8 @@ std::optional<Least> least_of(Candidates c, Axes& axes, const SignsAt& signs_at)
       const auto [p, q] = c.of[c.near[k]];
       const bool is_along = signs->along[p] == Sign::zero && signs->along[q] == Sign::zero;  // or they are parallel
       if (is_along || (farther >> k & 1) != 0) continue;
-      const auto is = order(c.near[k], c.best);
+      const Sign known = quick_order(c.best, k);
+      const auto is = known != Sign::zero ? std::optional(known) : order(c.near[k], c.best);
       if (is == Sign::negative) {
         nearer = c.near[k];
       } else if (is == Sign::positive) {
@@ -312,7 +293,7 @@ std::optional<Least> least_of(const Zonotope& z, Gap gap) {
     c.is_widest = c.size == 1;
     c.best = face ? c.near[*face] : c.best, c.size = 0;
   }
-  return least_of(c, axes, signs_at);
+  return least_of(c, axes, signs_at, [](std::uint32_t, std::size_t) { return Sign::zero; });
 }
 
 /// Along an axis of space for certain, where it is along one by zeros.
@@ -346,53 +327,6 @@ SumParting told_of(const EdgeSum& sum, const Least& least) {
           .is_widest = least.is_widest,
           .edges = SumFacetEdges{{{p.body, p.bit}, {q.body, q.bit}}}};
 }
-
-/// Two boxes as they stand, each of whose edges has a length.
-class Boxes {
- public:
-  static std::optional<Boxes> of(const EdgeSum& sum) {
-    const Difference& d = sum.difference();
-    if (sum.edges().size() != 6) return {};
-    const auto a = d.a.given_box(), b = d.b.given_box();
-    if (!a || !b) return {};
-    Boxes boxes{sum, *a, *b};
-    for (std::size_t k = 6; k-- > 0;) {
-      const SumEdge& e = sum.edges()[k];
-      boxes.first_[e.group] = 3 * e.body + e.bit;
-    }
-    return boxes;
-  }
-  [[nodiscard]] const GivenBox& a() const { return a_; }
-  [[nodiscard]] const GivenBox& b() const { return b_; }
-
-  /// The pair by the numbers of the fifteen axes' statement.
-  [[nodiscard]] NearAxes::Pair pair(const Candidates::Of& of) const { return {first_[of[0]], first_[of[1]]}; }
-  [[nodiscard]] const Vector3& axis(std::uint32_t k) const { return (k < 3 ? a_ : b_).axes[k % 3]; }
-  [[nodiscard]] std::optional<AlongAxis> along_space(const NearAxes::Pair& p) const {
-    return axis_of(sparse_cross(arith::vec<Running>(axis(p[0])), arith::vec<Running>(axis(p[1]))));
-  }
-  [[nodiscard]] RoughSigns rough_signs(const NearAxes::Told& told) const {
-    const auto known = [](Sign s) { return s == Sign::zero ? std::nullopt : std::optional(s); };
-    RoughSigns rough{known(told.overlap), known(told.middle)};
-    for (std::uint32_t g = 0; g < sum_.groups(); ++g) rough.along[g] = known(told.along[first_[g]]);
-    return rough;
-  }
-  /// The square of what two edges span, from that of their axes.
-  [[nodiscard]] double area(const NearAxes::Pair& p, double of_axes) const {
-    const auto length = [&](std::uint32_t k) {
-      const GivenBox::Ends& e = (k < 3 ? a_ : b_).length[k % 3];
-      return (e.to - e.from) * (e.to - e.from);
-    };
-    return of_axes * length(p[0]) * length(p[1]);
-  }
-
- private:
-  Boxes(const EdgeSum& sum, const GivenBox& a, const GivenBox& b) : sum_(sum), a_(a), b_(b) {}
-
-  const EdgeSum& sum_;
-  GivenBox a_, b_;
-  std::array<std::uint32_t, 6> first_{};
-};
 
 /// A guess in doubles: along which normal boxes overlap least, which is one of edges that are not nearly parallel.  Of
 /// boxes that are apart the likely one.
@@ -443,11 +377,24 @@ std::optional<SumParting> quick_boxes(const EdgeSum& sum, Gap gap) {
   }
   if (gap == Gap::likely && told.overlap == Sign::negative) c.is_widest = c.size == 1, c.size = 0;
   Axes axes(sum);
+  const RoughSigns of_picked = boxes->rough_signs(told);
+  std::optional<NearAxisSigns> fine;
+  if (!boxes->along_space(all[c.best]) && (c.size > 1 || boxes->lacks(of_picked, c.of[c.best]))) {
+    std::array<NearAxes::Pair, 16> asked{all[c.best]};
+    for (std::size_t k = 0; k < c.size; ++k) asked[k + 1] = all[c.near[k]];
+    fine = near_axis_signs(boxes->a(), boxes->b(), std::span(asked).first(c.size + 1));
+    if (fine->least > 0) c.best = c.near[fine->least - 1];
+  }
+  const std::uint32_t of_fine = c.best;
   const auto signs_at = [&](std::uint32_t i) {
-    const RoughSigns rough = i == told.picked ? boxes->rough_signs(told) : RoughSigns();
+    RoughSigns rough = i == told.picked ? of_picked : RoughSigns();
+    if (fine && i == of_fine) boxes->fill(rough, *fine);
     return signs_of(i, c.of[i], rough, boxes->along_space(all[i]), axes);
   };
-  const auto least = least_of(c, axes, signs_at);
+  const auto quick_order = [&](std::uint32_t i, std::size_t k) {
+    return fine && i == of_fine ? fine->order[k + 1] : Sign::zero;
+  };
+  const auto least = least_of(c, axes, signs_at, quick_order);
   if (!least) return {};
   SumParting parting = told_of(sum, *least);
   const auto is_plain = [&](std::uint32_t body) { return sum.has_its_own(body) && told.turn[body] != Sign::zero; };
