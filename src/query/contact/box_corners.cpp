@@ -203,8 +203,8 @@ HWY_INLINE Space<Many> edges_of(const BoxSide& s, bool is_first) {
   return {pick(u.x, v.x), pick(u.y, v.y), pick(u.z, v.z)};
 }
 HWY_INLINE Space<Twofolds> opposite_of(const Space<Twofolds>& v) { return {-v.x, -v.y, -v.z}; }
-HWY_INLINE Crossings crossings_of(const std::array<BoxSide, 2>& side, const Space<Twofolds>& normal) {
-  const Space<Many> a = edges_of(side[0], true), b = edges_of(side[1], false);
+HWY_INLINE Crossings crossings_of(const std::array<const BoxSide*, 2>& side, const Space<Twofolds>& normal) {
+  const Space<Many> a = edges_of(*side[0], true), b = edges_of(*side[1], false);
   const Space<Twofolds> of_a = opposite_of(cross_of(normal, a)), of_b = opposite_of(cross_of(normal, b));
   return {of_a, of_b, cross_of(a, b), a, b, inverse_of(dot_of(of_b, a))};
 }
@@ -269,7 +269,7 @@ class Telling {
   QuickCorners& to_;
 };
 
-HWY_INLINE void tell_vertices(const std::array<BoxSide, 2>& side, const std::array<Corners4, 2>& corners,
+HWY_INLINE void tell_vertices(const std::array<const BoxSide*, 2>& side, const std::array<Corners4, 2>& corners,
                               const Space<Twofolds>& normal, const Twofolds& length, const Zeros& zeros, std::size_t of,
                               const FoundCorners& found, Telling& telling) {
   const CornerKind kind = of == 0 ? CornerKind::vertex_of_a : CornerKind::vertex_of_b;
@@ -277,7 +277,7 @@ HWY_INLINE void tell_vertices(const std::array<BoxSide, 2>& side, const std::arr
   bool is_asked = false;
   for (std::size_t at = 0; at < found.size(); ++at) {
     if (found[at].kind != kind) continue;
-    if (!is_asked) ahead_of(corners[of], side[1 - of], corners[1 - of], normal, length, of == 1, zeros, ahead);
+    if (!is_asked) ahead_of(corners[of], *side[1 - of], corners[1 - of], normal, length, of == 1, zeros, ahead);
     is_asked = true;
     const std::size_t k = of == 0 ? found[at].i : found[at].j;
     const bool touches = telling.does_touch(at);
@@ -287,7 +287,7 @@ HWY_INLINE void tell_vertices(const std::array<BoxSide, 2>& side, const std::arr
   }
 }
 
-HWY_INLINE void tell_crossings(const std::array<BoxSide, 2>& side, const std::array<Corners4, 2>& corners,
+HWY_INLINE void tell_crossings(const std::array<const BoxSide*, 2>& side, const std::array<Corners4, 2>& corners,
                                const Space<Twofolds>& normal, const Twofolds& length, const FoundCorners& found,
                                Telling& telling) {
   std::array<std::size_t, 8> edges{};
@@ -318,13 +318,13 @@ HWY_INLINE void tell_crossings(const std::array<BoxSide, 2>& side, const std::ar
   if (!spanned || !pair.radii().are_none()) return;
   const auto a = BoxSide::of(m.seen[0], m.facing[0]), b = BoxSide::of(m.seen[1], m.facing[1]);
   if (!a || !b) return;
-  const std::array side{*a, *b};
+  const std::array<const BoxSide*, 2> side{&*a, &*b};
   // The way leads from b to a, the normal back.
   const Space<Twofolds> normal = cross_of(all_of((*spanned)[1]), all_of((*spanned)[0]));
   const Twofolds length = of_all(root(first_of(dot_of(normal, normal))));
   const Zeros zeros{{is_zero[0], is_zero[1], is_zero[2]}};
   std::array<Corners4, 2> corners;
-  corners_of(side[0], corners[0]), corners_of(side[1], corners[1]);
+  corners_of(*side[0], corners[0]), corners_of(*side[1], corners[1]);
   Telling telling(pair, m, whole, to);
   for (const std::size_t of : {0U, 1U}) tell_vertices(side, corners, normal, length, zeros, of, m.corners, telling);
   tell_crossings(side, corners, normal, length, m.corners, telling);

@@ -36,19 +36,21 @@ PLUMB_WITH_FMA std::optional<Whole> whole_fused(const Pair& p, std::optional<Tol
   return numbers.whole(height == nullptr ? numbers.height() : *height, open);
 }
 
+bool are_all_told(const QuickCorners& corners) {
+  return std::ranges::all_of(corners, [](const auto& c) { return c.has_value(); });
+}
+
 /// What is told of the corners so far, and what is known of those that are not.
 struct CornersSoFar {
   QuickCorners told;
   parting::ShortList<Open, 8> open;
   parting::ShortList<std::optional<Gap<Ball>>, 8> gap;  // by integers
 
-  explicit CornersSoFar(std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) told.push_back({}), open.push_back(Open::place), gap.push_back({});
+  explicit CornersSoFar(const QuickCorners& so_far) : told(so_far) {
+    for (std::size_t i = 0; i < told.size(); ++i) open.push_back(Open::place), gap.push_back({});
   }
   [[nodiscard]] bool lacks_gap(std::size_t i) const { return !told[i] && !gap[i] && open[i] == Open::distance; }
-  [[nodiscard]] bool are_told() const {
-    return std::ranges::all_of(told, [](const auto& c) { return c.has_value(); });
-  }
+  [[nodiscard]] bool are_told() const { return are_all_told(told); }
 };
 
 PLUMB_WITH_FMA void corners_fused(const ToldByPairs& by_pairs, const Pair& p, const Matched& m, const Whole& whole,
@@ -131,10 +133,15 @@ std::optional<Whole> QuickNumbers::whole() const {
 }
 
 QuickCorners QuickNumbers::corners(const Matched& m, const Whole& whole) const {
-  CornersSoFar corners(m.corners.size());
-  if (!pair_.radii().are_doubles()) return corners.told;
-  if (by_pairs_) tell_box_corners(pair_, m, whole, by_pairs_->numbers.zeros(), corners.told);
-  if (corners.are_told()) return corners.told;
+  QuickCorners at_once;
+  for (std::size_t i = 0; i < m.corners.size(); ++i) at_once.push_back({});
+  if (!pair_.radii().are_doubles()) return at_once;
+  if (by_pairs_) tell_box_corners(pair_, m, whole, by_pairs_->numbers.zeros(), at_once);
+  return are_all_told(at_once) ? at_once : remaining_corners(m, whole, at_once);
+}
+
+QuickCorners QuickNumbers::remaining_corners(const Matched& m, const Whole& whole, const QuickCorners& so_far) const {
+  CornersSoFar corners(so_far);
   if (whole.is_by_integers) {
     const LevelParts level(m);
     for (std::size_t i = 0; i < m.corners.size(); ++i) {

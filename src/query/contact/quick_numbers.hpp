@@ -28,6 +28,8 @@ class QuickNumbers {
   [[nodiscard]] QuickCorners corners(const Matched& m, const Whole& whole) const;
 
  private:
+  [[nodiscard]] QuickCorners remaining_corners(const Matched& m, const Whole& whole, const QuickCorners& so_far) const;
+
   const Pair& pair_;
   mutable std::optional<ToldByPairs> by_pairs_;  // when it is first asked for
 };

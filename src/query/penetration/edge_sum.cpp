@@ -10,9 +10,12 @@ std::optional<int> coordinate_axis(const Vector3& v) {
 
 /// 1 or -1 of axes that are parallel without arithmetic, else 0.  `axis`: the one of space that v is along.
 int alike(const Vector3& u, const Vector3& v, const std::optional<int>& axis) {
-  if (u == v) return 1;
-  if (u == Vector3{-v.x, -v.y, -v.z}) return -1;
-  if (!axis || axis != coordinate_axis(u)) return 0;
+  if (!axis) {
+    if (u.x == v.x && u.y == v.y && u.z == v.z) return 1;
+    return u.x == -v.x && u.y == -v.y && u.z == -v.z ? -1 : 0;
+  }
+  const double of_u = *axis == 0 ? u.x : *axis == 1 ? u.y : u.z;
+  if (of_u == 0 || axis != coordinate_axis(u)) return 0;
   const double x = u.x + u.y + u.z, y = v.x + v.y + v.z;  // but one of them is not zero
   return (x > 0) == (y > 0) ? 1 : -1;
 }
@@ -47,8 +50,8 @@ void EdgeSum::add(std::uint32_t body, const CoreCorners& c, std::uint32_t bit) {
   if (along && *along == Vector3{}) return;
   const std::optional<int> axis = along ? coordinate_axis(*along) : std::nullopt;
   for (std::uint32_t g = 0; g < groups_ && along; ++g) {
-    if (!along_[g] || !turns_alike(pose_[g], c.pose())) continue;
-    if (const int way = alike(*along_[g], *along, axis); way != 0) {
+    if (!along_[g]) continue;
+    if (const int way = alike(*along_[g], *along, axis); way != 0 && turns_alike(pose_[g], c.pose())) {
       edges_[size_++] = {body, bit, g, way < 0};
       return;
     }
