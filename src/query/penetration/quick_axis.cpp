@@ -427,7 +427,10 @@ std::optional<SumParting> plane_across(const Difference& d, const SumFacetEdges&
     const NearAxes::Told told =
         NearAxes{}(world, boxes->a(), boxes->b(), pair, [](const auto&, const auto&) { return 0U; });
     if (world.certain() && told.overlap == Sign::negative) {
-      signs = signs_of(0, of, boxes->rough_signs(told), boxes->along_space(pair[0]), axes);
+      const auto along_space = boxes->along_space(pair[0]);
+      RoughSigns rough = boxes->rough_signs(told);
+      if (!along_space && boxes->lacks(rough, of)) boxes->fill(rough, near_axis_signs(boxes->a(), boxes->b(), pair));
+      signs = signs_of(0, of, rough, along_space, axes);
     }
   } else {
     const SumParts<Approximate> parts = settled(sum.parts<Approximate>());
