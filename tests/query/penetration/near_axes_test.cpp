@@ -14,7 +14,7 @@ namespace plumb::query::parting {
 namespace {
 
 struct Counts {
-  int told = 0, open = 0;
+  int told = 0, open = 0, certain = 0;
 };
 
 /// What is told is exact; where nothing is told, it is counted.
@@ -34,6 +34,7 @@ void expect_exact(const GivenBox& a, const GivenBox& b, std::span<const NearAxes
       EXPECT_EQ(s, wanted) << of << ", seed " << seed;
     }
     ++(s == wanted ? counts.told : counts.open);
+    counts.certain += s == Sign::zero ? 0 : 1;
   };
   expect_sign(told.overlap, exact.overlap, "overlap"), expect_sign(told.middle, exact.middle, "middle");
   for (std::size_t k = 0; k < 6; ++k) {
@@ -73,11 +74,9 @@ TEST(NearAxisSigns, AreThoseOfRationalNumbers) {
     expect_exact(a, b, pairs, counts, seed);
   }
   std::printf("%d signs are told, or zero, and %d left open\n", counts.told, counts.open);
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+  if (counts.certain > 0) {  // this processor, as the library was compiled, has lanes
     EXPECT_GT(counts.told, 100 * counts.open);
   }
-#endif
 }
 
 }  // namespace
