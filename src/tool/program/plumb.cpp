@@ -22,8 +22,8 @@ std::string instead_of(const std::string& word) {
   constexpr std::string_view
       laboratory = "that is a command of plumb-lab, the laboratory (docs/charts.md)",
       solids =
-          "solids are not united, cut or intersected yet; 'plumb intersect A B' finds where "
-          "two meshes cross, 'plumb section' cuts one by planes",
+          "the library unites, intersects and subtracts solids (docs/solids.md); 'plumb intersect "
+          "A B' finds where two meshes cross, 'plumb section' cuts one by planes",
       offsets =
           "meshes are not offset or thickened yet; 'plumb distance' says how far two are apart, "
           "the library asks about all within a radius of a figure (Fat, docs/closest.md)",

@@ -3,7 +3,7 @@
 // Laws: (1) vertices ascend lexicographically, no two equal; one that doubles hold is held as Point3, any other in
 // rational coordinates: so equal meshes are told alike.  (2) Triangles begin with their smallest vertex and ascend.
 // (3) exact_volume is that of the solid where the mesh is closed and wound outward, negative where wound inward.
-// Source: RTCD 2.2.1, 12.
+// Source: RTCD 2.2.1.
 // Cost: a volume takes some microseconds a triangle.  Nothing is searched.
 #pragma once
 

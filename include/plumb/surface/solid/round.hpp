@@ -14,7 +14,7 @@
 // rounds.  (3) Where no coordinate is rounded, and the mesh is what an operation made, it stays as it is.  (4) Vertices
 // and triangles are in the order of an ExactMesh; the same on any number of threads.
 // The mesh must be closed and oriented, as operations make it; else InvalidShape is thrown.
-// Source: RTCD 11.2; Milenkovic 1989 and Hobby 1999 for what rounding does to arrangements.
+// Source: RTCD 2.2.1; Milenkovic 1989 and Hobby 1999 for what rounding does to arrangements.
 // Cost: in each round that of a tree and of the mesh's pairs with itself; where one has to be resolved that of arrange.
 // Bounded by n^4 signs a round.
 #pragma once
