@@ -17,5 +17,6 @@ void add_figure_questions(pybind11::module_& module);
 void add_kd_tree(pybind11::module_& module);
 void add_hull(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
+void add_generated(pybind11::module_& module);
 
 }  // namespace plumb::python
