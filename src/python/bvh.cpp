@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "plumb/space/bvh/tree_file.hpp"
 #include "plumb/space/closest/closest_on_mesh.hpp"
 #include "plumb/space/closest/closest_triangles.hpp"
 #include "plumb/space/closest/hausdorff.hpp"
@@ -134,6 +135,19 @@ void add_bvh(py::module_& module) {
            py::arg("mesh"))
       .def("__len__", [](const Bvh& self) { return self.slots(); })
       .def("__repr__", [](const Bvh& self) { return "Bvh(" + std::to_string(self.slots()) + " triangles)"; })
+      .def(
+          "write",
+          [](const Bvh& self, const py::object& path) {
+            const std::string name = path_of(path);
+            const py::gil_scoped_release released;
+            write_bvh(name, self);
+          },
+          py::arg("path"), "write(self, path)\n--\n\nWrites the tree and its triangles to a file, for read_bvh.")
+      .def("__reduce__",
+           [](const Bvh& self) {
+             return py::make_tuple(py::module_::import("plumb._pickled").attr("tree"),
+                                   py::make_tuple(py::bytes(bvh_bytes(self))));
+           })
       .def("closest_hit", closest_hit, py::arg("origins"), py::arg("directions"),
            "closest_hit(self, origins, directions)\n--\n\nWhich triangle does each ray hit first?\n\n"
            "Parameters\n----------\norigins, directions : array_like, shape (n, 3) or (3,); of any length\n\n"
@@ -178,6 +192,17 @@ void add_bvh(py::module_& module) {
            "negative; how far the two bounds may be apart, as a share of the greater, or as a "
            "length\n\nReturns\n-------\n"
            "HausdorffDistance");
+  module.def(
+      "read_bvh",
+      [](const py::object& path) {
+        const std::string name = path_of(path);
+        const py::gil_scoped_release released;
+        return std::make_unique<Bvh>(read_bvh(name));
+      },
+      py::arg("path"),
+      "read_bvh(path)\n--\n\nThe tree of a file that Bvh.write wrote.\n\nRaises\n------\nOSError, ValueError\n    If "
+      "it "
+      "cannot be read, or is no such file.");
 }
 
 }  // namespace plumb::python

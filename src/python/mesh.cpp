@@ -56,8 +56,6 @@ SharedMesh mesh_of(const py::handle& vertices, const py::handle& faces) {
   return mesh;
 }
 
-std::string path_of(const py::handle& given) { return py::str(py::module_::import("os").attr("fspath")(given)); }
-
 SharedMesh read(const py::handle& path) {
   const std::string name = path_of(path);
   const py::gil_scoped_release released;
@@ -65,6 +63,8 @@ SharedMesh read(const py::handle& path) {
 }
 
 }  // namespace
+
+std::string path_of(const py::handle& given) { return py::str(py::module_::import("os").attr("fspath")(given)); }
 
 void add_mesh(py::module_& module) {
   py::class_<TriangleMesh, std::shared_ptr<TriangleMesh>>(

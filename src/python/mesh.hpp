@@ -14,6 +14,9 @@ namespace plumb::python {
 /// Trees and views keep it alive.
 using SharedMesh = std::shared_ptr<const TriangleMesh>;
 
+/// What os.fspath makes of it.
+std::string path_of(const py::handle& given);
+
 /// A read-only array over items that `owner` keeps alive.
 template <class Number, class Item>
 py::array view_of(std::span<const Item> items, const py::handle& owner) {

@@ -107,6 +107,19 @@ def test_closest_hit():
         tree.closest_hit([0, 0, np.nan], [1, 0, 0])
 
 
+def test_trees_are_kept(tmp_path):
+    tree = plumb.Bvh(cube())
+    tree.write(tmp_path / "cube.bvh")
+    for again in (pickle.loads(pickle.dumps(tree)), copy.deepcopy(tree), plumb.read_bvh(tmp_path / "cube.bvh")):
+        assert len(again) == 12 and again.contains([[1, 1, 1], [3, 1, 1]]).tolist() == [True, False]
+        assert again.closest_point([1, 1, 5])[1] == 3 and again.distance(plumb.Bvh(cube((5, 6, 0)))) == 5
+    with pytest.raises((OSError, ValueError), match="nowhere.bvh"):
+        plumb.read_bvh(tmp_path / "nowhere.bvh")
+    (tmp_path / "bad.bvh").write_bytes(b"no tree")
+    with pytest.raises(ValueError, match="bad.bvh"):
+        plumb.read_bvh(tmp_path / "bad.bvh")
+
+
 def test_contains():
     tree = plumb.Bvh(cube())
     grid = np.array([[x, y, z] for x in range(-1, 4) for y in range(-1, 4) for z in range(-1, 4)], float)
