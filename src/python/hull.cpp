@@ -28,14 +28,6 @@ struct PointHull {
   double volume = 0, area = 0;
 };
 
-py::array_t<double> rows_of_space_or_plane(const py::object& points, const char* function) {
-  const Asked asked{function, "points"};
-  const py::array numbers = numbers_of(points, asked);
-  if (numbers.ndim() != 2 || (numbers.shape(1) != 2 && numbers.shape(1) != 3))
-    refuse(asked, py::array::ensure(points), "shape (n, 2) or (n, 3)");
-  return rows_of(numbers, asked, numbers.shape(1));
-}
-
 /// A part of a vector of length 1, rounded once.
 double unit_part(const Rational& part, const Rational& square) {
   const double root = rounded_root(Rounding::nearest, part * part / square);
@@ -148,7 +140,7 @@ void fill(PointHull& hull, std::span<const Point3> points) {
 
 PointHull hull_of(const py::object& points) {
   PointHull hull;
-  hull.points = rows_of_space_or_plane(points, "ConvexHull").attr("copy")().cast<py::array_t<double>>();
+  hull.points = rows_of_plane_or_space(points, {"ConvexHull", "points"}).attr("copy")().cast<py::array_t<double>>();
   const bool in_plane = hull.points.shape(1) == 2;
   const std::span<const Point2> flat = points_of<Point2>(hull.points);
   const std::span<const Point3> solid = points_of<Point3>(hull.points);
@@ -162,7 +154,7 @@ PointHull hull_of(const py::object& points) {
 }
 
 py::object smallest_ball(const py::object& points) {
-  const py::array_t<double> rows = rows_of_space_or_plane(points, "minimum_sphere");
+  const py::array_t<double> rows = rows_of_plane_or_space(points, {"minimum_sphere", "points"});
   const auto shown = [](const AnyFigure& ball, const std::vector<std::uint32_t>& support) {
     return answer("MinimumSphere", object_of(ball), integers_of(support));
   };
@@ -175,7 +167,7 @@ py::object smallest_ball(const py::object& points) {
 }
 
 py::object smallest_box(const py::object& points) {
-  const py::array_t<double> rows = rows_of_space_or_plane(points, "minimum_obb");
+  const py::array_t<double> rows = rows_of_plane_or_space(points, {"minimum_obb", "points"});
   const AnyFigure box = unlocked([&]() -> AnyFigure {
     if (rows.shape(1) == 2) return minimum_obb(points_of<Point2>(rows));
     return minimum_obb(points_of<Point3>(rows));

@@ -29,15 +29,8 @@ struct PointTree {
   }
 };
 
-py::array_t<double> points_of_space_or_plane(const py::object& points, const Asked& asked) {
-  const py::array numbers = numbers_of(points, asked);
-  if (numbers.ndim() != 2 || (numbers.shape(1) != 2 && numbers.shape(1) != 3))
-    refuse(asked, py::array::ensure(points), "shape (n, 2) or (n, 3)");
-  return rows_of(numbers, asked, numbers.shape(1));
-}
-
 PointTree tree_of(const py::object& points) {
-  const py::array_t<double> rows = points_of_space_or_plane(points, {"KDTree", "points"});
+  const py::array_t<double> rows = rows_of_plane_or_space(points, {"KDTree", "points"});
   py::array_t<double> kept = rows.attr("copy")().cast<py::array_t<double>>();  // nobody else changes it
   kept.attr("setflags")(py::arg("write") = false);
   PointTree made{kept, KdTree2{}};

@@ -91,6 +91,13 @@ py::array_t<double> rows_of(const py::handle& given, const Asked& asked, py::ssi
   return finite_rows(numbers, asked, columns);
 }
 
+py::array_t<double> rows_of_plane_or_space(const py::handle& given, const Asked& asked) {
+  const py::array numbers = numbers_of(given, asked);
+  if (numbers.ndim() != 2 || (numbers.shape(1) != 2 && numbers.shape(1) != 3))
+    refuse(asked, py::array::ensure(given), "shape (n, 2) or (n, 3)");
+  return rows_of(numbers, asked, numbers.shape(1));
+}
+
 py::array_t<double> row_or_rows_of(const py::handle& given, const Asked& asked, py::ssize_t columns, bool& single) {
   py::array numbers = numbers_of(given, asked);
   single = numbers.ndim() == 1 && numbers.shape(0) == columns;

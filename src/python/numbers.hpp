@@ -37,6 +37,8 @@ std::string told(std::span<const py::ssize_t> shape);
 
 /// Rows of so many numbers one after the other, shape (n, columns), finite; other layouts are copied.
 py::array_t<double> rows_of(const py::handle& given, const Asked& asked, py::ssize_t columns);
+/// Rows of two or of three numbers.
+py::array_t<double> rows_of_plane_or_space(const py::handle& given, const Asked& asked);
 /// Where the shape is (columns,) as well, which is one row: `single` says so.
 py::array_t<double> row_or_rows_of(const py::handle& given, const Asked& asked, py::ssize_t columns, bool& single);
 
