@@ -304,6 +304,21 @@ plumb_status plumb_mesh_faults(const plumb_mesh* mesh, const plumb_progress* pro
 /* By the plan that makes a printable solid; what cannot be mended stays: ask for the faults. */
 plumb_status plumb_mesh_repair(const plumb_mesh* mesh, plumb_mesh** repaired);
 
+typedef enum plumb_operation {
+  PLUMB_UNITE = 0,
+  PLUMB_INTERSECT,
+  PLUMB_SUBTRACT, /* from the first all others */
+  PLUMB_SYMMETRIC_DIFFERENCE
+} plumb_operation;
+typedef struct plumb_solid_report {
+  size_t size;
+  int32_t is_sound; /* closed, wound outward, free of crossings: decided of the doubles that are told */
+  double moved;     /* no point is farther than this from the exact result */
+} plumb_solid_report;
+/* The solids that closed meshes bound, combined exactly and rounded: docs/solids.md.  The report may be NULL. */
+plumb_status plumb_mesh_combine(plumb_operation operation, const plumb_mesh* const* meshes, size_t count,
+                                plumb_mesh** result, plumb_solid_report* report);
+
 plumb_status plumb_bvh_create(const plumb_mesh* mesh, plumb_bvh** bvh);
 void plumb_bvh_destroy(plumb_bvh* bvh);
 /* The triangle that each ray hits first, of equal hits the lowest, or -1; t and points (3 numbers each) may be NULL. */

@@ -6,10 +6,32 @@
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
 #include "plumb/surface/repair/repair.hpp"
+#include "plumb/surface/solid/boolean.hpp"
+#include "plumb/surface/solid/round.hpp"
 #include "plumb/surface/topology/faults.hpp"
 
 using namespace plumb;
 using c::guarded, c::need, c::need_size;
+
+namespace {
+
+ExactMesh combined(plumb_operation operation, std::span<const TriangleMesh> meshes) {
+  switch (operation) {
+    case PLUMB_UNITE:
+      return unite(meshes);
+    case PLUMB_INTERSECT:
+      return intersect(meshes);
+    case PLUMB_SUBTRACT:
+      return subtract(meshes);
+    case PLUMB_SYMMETRIC_DIFFERENCE:
+      return symmetric_difference(meshes);
+    default:
+      break;
+  }
+  throw c::InvalidArgument("operation " + std::to_string(static_cast<int>(operation)) + " is none");
+}
+
+}  // namespace
 
 extern "C" {
 
@@ -108,6 +130,23 @@ plumb_status plumb_mesh_repair(const plumb_mesh* mesh, plumb_mesh** repaired) {
     need(mesh, "mesh");
     need(repaired, "repaired");
     *repaired = new plumb_mesh{repair(mesh->mesh).mesh};
+  });
+}
+
+plumb_status plumb_mesh_combine(plumb_operation operation, const plumb_mesh* const* meshes, std::size_t count,
+                                plumb_mesh** result, plumb_solid_report* report) {
+  return guarded("plumb_mesh_combine", [&] {
+    need(meshes, count, "meshes");
+    need(result, "result");
+    if (report != nullptr) need_size(report, "report");
+    std::vector<TriangleMesh> solids;
+    for (std::size_t i = 0; i < count; ++i) {
+      need(meshes[i], "a mesh");
+      solids.push_back(meshes[i]->mesh);
+    }
+    RoundedMesh rounded = round(combined(operation, solids));
+    *result = new plumb_mesh{std::move(rounded.mesh)};
+    if (report != nullptr) c::write(report, plumb_solid_report{0, rounded.sound, rounded.moved});
   });
 }
 

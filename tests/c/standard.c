@@ -18,6 +18,7 @@ IS_LARGE(plumb_contact_options, 24);
 IS_LARGE(plumb_manifold, 56);
 IS_LARGE(plumb_corner, 72);
 IS_LARGE(plumb_faults, 112);
+IS_LARGE(plumb_solid_report, 24);
 #endif
 
 static int failures = 0;
@@ -225,6 +226,53 @@ static void ask_indexes(void) {
   EXPECT(strstr(plumb_last_error(), "no/such/file.stl") != NULL);
 }
 
+/* Two cubes that share half of each. */
+static void ask_solids(void) {
+  double corners[24];
+  static const uint32_t faces[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                     2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  plumb_mesh *solids[2] = {NULL, NULL}, *both = NULL;
+  plumb_solid_report report = {sizeof report};
+  plumb_faults faults = {sizeof faults};
+  plumb_bvh* bvh = NULL;
+  static const double middle[3] = {2.5, 1, 1};
+  const double* there = NULL;
+  size_t count = 0;
+  int8_t where = 7;
+  int i, k;
+
+  for (k = 0; k < 2; ++k) {
+    for (i = 0; i < 8; ++i) {
+      corners[3 * i] = 2 * (i & 1) + k;
+      corners[3 * i + 1] = i & 2;
+      corners[3 * i + 2] = (i & 4) / 2;
+    }
+    EXPECT_STATUS(plumb_mesh_create(corners, 8, faces, 12, &solids[k]), PLUMB_OK);
+  }
+  EXPECT_STATUS(plumb_mesh_combine(PLUMB_UNITE, (const plumb_mesh* const*)solids, 2, &both, &report), PLUMB_OK);
+  EXPECT(report.is_sound && report.moved == 0);
+  EXPECT_STATUS(plumb_mesh_faults(both, NULL, &faults), PLUMB_OK);
+  EXPECT(faults.closed && faults.shells == 1);
+  EXPECT_STATUS(plumb_bvh_create(both, &bvh), PLUMB_OK);
+  EXPECT_STATUS(plumb_bvh_locate(bvh, middle, 1, &where), PLUMB_OK);
+  EXPECT(where == PLUMB_INSIDE);
+  plumb_bvh_destroy(bvh);
+  plumb_mesh_destroy(both);
+  EXPECT_STATUS(plumb_mesh_combine(PLUMB_INTERSECT, (const plumb_mesh* const*)solids, 2, &both, NULL), PLUMB_OK);
+  EXPECT_STATUS(plumb_mesh_vertices(both, &there, &count), PLUMB_OK);
+  EXPECT(count >= 8);
+  plumb_mesh_destroy(both);
+  both = NULL;
+  EXPECT_STATUS(plumb_mesh_combine((plumb_operation)9, (const plumb_mesh* const*)solids, 2, &both, NULL),
+                PLUMB_INVALID_ARGUMENT);
+  plumb_mesh_destroy(solids[1]);
+  EXPECT_STATUS(plumb_mesh_create(corners, 8, faces, 11, &solids[1]), PLUMB_OK); /* open */
+  EXPECT_STATUS(plumb_mesh_combine(PLUMB_UNITE, (const plumb_mesh* const*)solids, 2, &both, NULL), PLUMB_INVALID_SHAPE);
+  EXPECT(both == NULL);
+  plumb_mesh_destroy(solids[0]);
+  plumb_mesh_destroy(solids[1]);
+}
+
 static void ask_signs(void) {
   const size_t which = plumb_find_sign("orient2d");
   const double turn[6] = {0, 0, 1, 0, 0, 1};
@@ -251,6 +299,7 @@ static void ask_signs(void) {
 int main(void) {
   ask_figures();
   ask_indexes();
+  ask_solids();
   ask_signs();
   EXPECT(strcmp(plumb_version(), "") != 0);
   if (failures == 0) puts("all as it should be");
