@@ -129,3 +129,33 @@ def test_hausdorff_distance():
 def test_what_is_refused(make, error, text):
     with pytest.raises(error, match=text):
         make()
+
+
+def volume(mesh):
+    """Six times the volume, exactly."""
+    corners = [[list(map(Fraction, mesh.vertices[v].tolist())) for v in face] for face in mesh.faces.tolist()]
+    return sum((sum(x * y for x, y in zip(a, cross(b, c))) for a, b, c in corners), Fraction(0))
+
+
+def test_solids_of_solids_have_their_volumes():
+    source = random.Random(SEED)
+    shared = 0
+    for _ in range(40):
+        at = [source.randint(0, 3) for _ in range(3)]
+        a, b = cube(), cube(at)
+        whole = {name: getattr(plumb, name)(a, b) for name in ("unite", "intersect", "subtract", "symmetric_difference")}
+        for name, told in whole.items():
+            report = plumb.check(told.mesh)
+            assert told.sound and told.moved == 0 and (report["closed"] or not len(told.mesh.faces)), name
+            assert not report["overlapping"] and len(told.sources) == len(told.mesh.faces)
+        common = math.prod(max(0, 2 - abs(x)) for x in at)
+        shared += common > 0
+        assert volume(whole["intersect"].mesh) == 6 * common
+        assert volume(whole["unite"].mesh) == 6 * (16 - common)
+        assert volume(whole["subtract"].mesh) == 6 * (8 - common)
+        assert volume(whole["symmetric_difference"].mesh) == 6 * (16 - 2 * common)
+    assert 5 < shared < 40
+    with pytest.raises(ValueError, match="edge"):
+        plumb.unite(cube(), plumb.Mesh(cube().vertices, cube().faces[1:]))
+    with pytest.raises(TypeError, match="unite"):
+        plumb.unite(3)

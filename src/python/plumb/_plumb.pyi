@@ -93,6 +93,7 @@ __all__ = [
     "in_smallest_sphere",
     "incircle",
     "insphere",
+    "intersect",
     "intersection",
     "intersects",
     "line_edge",
@@ -118,8 +119,11 @@ __all__ = [
     "side_of_plane",
     "sign_of_radicals",
     "squared_distance",
+    "subtract",
     "support_point",
     "support_value",
+    "symmetric_difference",
+    "unite",
 ]
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Any: ...
@@ -731,6 +735,10 @@ def check(mesh: Mesh, nearer_than: float | None = None) -> answers.MeshReport: .
 def repair(
     mesh: Mesh, steps: Sequence[str | tuple[str, float]] | None = None, *, tolerance: float = 0.0
 ) -> answers.Repaired: ...
+def unite(*meshes: Mesh) -> answers.Combined: ...
+def intersect(*meshes: Mesh) -> answers.Combined: ...
+def subtract(*meshes: Mesh) -> answers.Combined: ...
+def symmetric_difference(*meshes: Mesh) -> answers.Combined: ...
 def sections(mesh: Mesh, planes: Sequence[Figure], *, on_plane: str = "above") -> list[list[answers.Contour]]: ...
 
 _generated_classes: tuple[str, ...]

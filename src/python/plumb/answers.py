@@ -3,7 +3,7 @@
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
-__all__ = ["ClosestPoints", "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
+__all__ = ["ClosestPoints", "Combined", "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
            "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
            "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support"]
 
@@ -181,6 +181,15 @@ class Repaired(NamedTuple):
     mesh: Any  # Mesh
     changes: List[RepairChange]
     report: MeshReport
+
+
+class Combined(NamedTuple):
+    """A solid made of others, exactly, and rounded once."""
+
+    mesh: Any  # Mesh
+    sound: bool  # closed, wound outward and free of crossings: decided of the mesh as it is told
+    moved: float  # no point is farther than this from the exact solid
+    sources: Any  # int32, shape (n, 2): of each face, which mesh and which face of it it is a piece of
 
 
 class Contour(NamedTuple):
