@@ -432,6 +432,10 @@ inline const CostRow rows_of_indexes[]{
      [](const Cloud& c) { (void)close_vertices(c.mesh, std::fabs(c.a[0].x)); }},
     {"vertices_on_edges", "surface/topology/defects.hpp", quadratic, 50,
      [](const Cloud& c) { (void)vertices_on_edges(find_edges(c.mesh), build_bvh(c.mesh)); }},
+    {"vertices_near_edges", "surface/topology/defects.hpp", quadratic, 20,
+     [](const Cloud& c) {
+       (void)vertices_near_edges(find_edges(c.mesh), build_bvh(c.mesh), std::fabs(c.a[0].x), Execution::serial);
+     }},
 };
 
 }  // namespace plumb::cost
