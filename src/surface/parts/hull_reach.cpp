@@ -58,8 +58,10 @@ double from_planes(const RoundedPart& part, const Point3& p) {
 
 Point3 middle_of(const Point3& p, const Point3& q) { return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2}; }
 
-/// A guess: is a middle of a triangle of the hull, or of its edges, far from every part?
-bool is_thought_too_far(const HullProxy& hull, std::span<const RoundedPart* const> parts, double too_far) {
+/// A guess, which leaves what is near the length to a proof: is a middle of a triangle of the hull, or of its edges, farther
+/// from every part?
+bool is_thought_too_far(const HullProxy& hull, std::span<const RoundedPart* const> parts, double length) {
+  const double too_far = 1.001 * length + 1e-6 * width_of(hull.vertices);
   const auto is_far = [&](const Point3& p) {
     return std::ranges::all_of(parts, [&](const RoundedPart* part) {
       return from_box(*part, p) > too_far || from_planes(*part, p) > too_far;
