@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "plumb/surface/solid/round.hpp"
 #include "surface/solid/solid_laws.hpp"
 
 namespace plumb {
@@ -159,6 +162,58 @@ TEST(Boolean, LatticeBoxesAgainstVoxels) {
       return in_any != (w.back() > 0);
     });
     EXPECT_TRUE(apart.triangles.empty());
+  }
+}
+
+TEST(Boolean, PowersOfTwoChangeNothing) {
+  std::mt19937_64 random(7);
+  const TriangleMesh a = heap(random, 4, 3), b = heap(random, 4, 3);
+  const ExactMesh plain = subtract(a, b);
+  ASSERT_FALSE(plain.triangles.empty());
+  for (const int exponent : {-300, 300}) {
+    std::vector<TriangleMesh> scaled{a, b};
+    for (TriangleMesh& mesh : scaled)
+      for (Point3& p : mesh.vertices)
+        p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    const ExactMesh other = subtract(scaled);
+    EXPECT_EQ(other.triangles, plain.triangles);
+    EXPECT_EQ(other.sources, plain.sources);
+    const Rational factor(std::ldexp(1.0, exponent));
+    EXPECT_EQ(exact_volume(other), exact_volume(plain) * factor * factor * factor);
+  }
+}
+
+TEST(Boolean, SixtyLatticeBoxesAtOnceAreSoundWhenRounded) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    std::uniform_int_distribution<int> at(0, 9), size(1, 3);
+    std::vector<TriangleMesh> meshes;
+    std::set<solids::Cell> in_turn;  // united and subtracted in turn
+    for (int i = 0; i < 60; ++i) {
+      const int x = at(random), y = at(random), z = at(random), u = size(random), v = size(random), w = size(random);
+      meshes.push_back(box({double(x), double(y), double(z)}, {double(x + u), double(y + v), double(z + w)}));
+      for (int j = x; j < x + u; ++j)
+        for (int k = y; k < y + v; ++k)
+          for (int l = z; l < z + w; ++l) {
+            if (i % 3 == 2)
+              in_turn.erase({j, k, l});
+            else
+              in_turn.insert({j, k, l});
+          }
+    }
+    const ExactMesh chain = solid_where(meshes, [](std::span<const std::int32_t> w) {
+      bool inside = false;
+      for (std::size_t i = 0; i < w.size(); ++i)
+        if (w[i] > 0) inside = i % 3 != 2;
+      return inside;
+    });
+    expect_closed(chain);
+    EXPECT_EQ(exact_volume(chain), Rational(in_turn.size()));
+    const RoundedMesh rounded = round(chain);
+    EXPECT_TRUE(rounded.sound);
+    EXPECT_EQ(rounded.rounds, 1U);
+    EXPECT_LT(rounded.moved, 1e-14);  // diagonals of faces cross where no doubles are
   }
 }
 
