@@ -16,6 +16,7 @@ void add_figures(pybind11::module_& module);
 void add_figure_questions(pybind11::module_& module);
 void add_kd_tree(pybind11::module_& module);
 void add_hull(pybind11::module_& module);
+void add_planar(pybind11::module_& module);
 void add_solids(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
 void add_generated(pybind11::module_& module);

@@ -159,3 +159,48 @@ def test_solids_of_solids_have_their_volumes():
         plumb.unite(cube(), plumb.Mesh(cube().vertices, cube().faces[1:]))
     with pytest.raises(TypeError, match="unite"):
         plumb.unite(3)
+
+
+def test_polygons_are_cut_without_losing_area():
+    source = random.Random(SEED + 1)
+    for _ in range(60):
+        outer = [[0, 0], [8, 0], [8, 8], [0, 8]]
+        x, y = source.randint(1, 5), source.randint(1, 5)
+        hole = [[x, y], [x, y + source.randint(1, 2)], [x + source.randint(1, 2), y]]
+        figure = plumb.HoledPolygon2(plumb.Polygon2(outer), [plumb.Polygon2(hole)])
+        points = outer + hole
+        area = lambda f: sum((points[b][0] - points[a][0]) * (points[c][1] - points[a][1])
+                             - (points[c][0] - points[a][0]) * (points[b][1] - points[a][1]) for a, b, c in f)
+        whole = 128 - abs(area([(4, 5, 6)]))
+        triangles = plumb.triangulate(figure).tolist()
+        assert area(triangles) == whole and {v for t in triangles for v in t} == set(range(7))
+        pieces = [p.tolist() for p in plumb.convex_pieces(figure)]
+        assert sum(area([(p[0], p[i], p[i + 1])]) for p in pieces for i in range(1, len(p) - 1)) == whole
+        assert len(pieces) < len(triangles)
+    with pytest.raises(ValueError, match="rule"):
+        plumb.triangulate(figure, "even")
+    with pytest.raises(ValueError, match="triangulate"):
+        plumb.triangulate(plumb.Sphere3([0, 0, 0], 1))
+
+
+def test_delaunay_circles_are_empty():
+    source = random.Random(SEED + 2)
+    for _ in range(30):
+        points = [[source.randint(0, 6), source.randint(0, 6)] for _ in range(12)]
+        told = plumb.delaunay(points)
+        for (a, b, c), beside in zip(told.simplices.tolist(), told.neighbors.tolist()):
+            assert plumb.orient2d(points[a], points[b], points[c]) == 1
+            assert not np.any(plumb.incircle(points[a], points[b], points[c], points) == 1)
+            assert all(n == -1 or a in told.simplices[n] or b in told.simplices[n] for n in beside)
+    with pytest.raises(ValueError, match="cross"):
+        plumb.delaunay([[0, 0], [2, 2], [0, 2], [2, 0]], [[0, 1], [2, 3]])
+
+
+def test_parts_of_a_solid_add_up_and_hulls_cover_it():
+    step = plumb.unite(cube(), cube([2, 0, 0]), cube([0, 2, 0])).mesh
+    parts = plumb.convex_parts(step)
+    assert sum(p.volume for p in parts) == 24 and all(p.is_exact for p in parts) and len(parts) == 2
+    assert sum(len(f) for p in parts for f in p.faces) > 0
+    hull, = plumb.covering_parts(step, concavity=4)
+    assert {tuple(v) for v in hull.vertices.tolist()} <= {tuple(v) for v in step.vertices.tolist()}
+    assert 0 < hull.concavity <= 4

@@ -78,8 +78,12 @@ __all__ = [
     "compare_signed_distance_to_plane",
     "contact",
     "contains",
+    "convex_parts",
+    "convex_pieces",
     "coplanar_orientation",
+    "covering_parts",
     "cross_sign",
+    "delaunay",
     "determinant_sign",
     "distance",
     "dot_of_crosses",
@@ -123,6 +127,7 @@ __all__ = [
     "support_point",
     "support_value",
     "symmetric_difference",
+    "triangulate",
     "unite",
 ]
 
@@ -735,6 +740,13 @@ def check(mesh: Mesh, nearer_than: float | None = None) -> answers.MeshReport: .
 def repair(
     mesh: Mesh, steps: Sequence[str | tuple[str, float]] | None = None, *, tolerance: float = 0.0
 ) -> answers.Repaired: ...
+def triangulate(polygon: Figure, rule: str = "odd") -> NDArray[np.int32]: ...
+def convex_pieces(polygon: Figure, rule: str = "odd", *, fewest: bool = False) -> list[NDArray[np.int32]]: ...
+def delaunay(points: ArrayLike, segments: ArrayLike | None = None) -> answers.Delaunay: ...
+def convex_parts(mesh: Mesh) -> list[answers.ConvexPart]: ...
+def covering_parts(
+    mesh: Mesh, concavity: float = 0.0, most_parts: int | None = None
+) -> list[answers.CoveringPart]: ...
 def unite(*meshes: Mesh) -> answers.Combined: ...
 def intersect(*meshes: Mesh) -> answers.Combined: ...
 def subtract(*meshes: Mesh) -> answers.Combined: ...

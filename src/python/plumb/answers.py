@@ -3,7 +3,8 @@
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
-__all__ = ["ClosestPoints", "Combined", "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
+__all__ = ["ClosestPoints", "Combined", "ConvexPart", "CoveringPart", "Delaunay",
+           "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
            "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
            "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support"]
 
@@ -181,6 +182,29 @@ class Repaired(NamedTuple):
     mesh: Any  # Mesh
     changes: List[RepairChange]
     report: MeshReport
+
+
+class Delaunay(NamedTuple):
+    """Triangles between points of the plane, counterclockwise, none with a point in its circle."""
+
+    simplices: Any  # int32, shape (n, 3)
+    neighbors: Any  # int32, shape (n, 3): over the edge from corner k to the next; -1 where there is none
+
+
+class ConvexPart(NamedTuple):
+    """A convex polyhedron that is a part of a solid."""
+
+    vertices: Any  # float64, shape (n, 3), rounded once
+    faces: List[Any]  # int32 arrays, counterclockwise seen from outside
+    is_exact: bool  # its corners are doubles
+    volume: Fraction
+
+
+class CoveringPart(NamedTuple):
+    """A convex hull that covers a share of a solid."""
+
+    vertices: Any  # float64, shape (n, 3): all of them are its corners
+    concavity: float  # no point of the hull is farther from its share than this
 
 
 class Combined(NamedTuple):

@@ -13,8 +13,9 @@ namespace plumb::surface {
 namespace {
 
 std::string place_text(const Point3& p) {
-  return "(" + arith::shortest_decimal(p.x) + ", " + arith::shortest_decimal(p.y) + ", " +
-         arith::shortest_decimal(p.z) + ")";
+  std::string text;
+  for (const double x : {p.x, p.y, p.z}) text.append(text.empty() ? "(" : ", ").append(arith::shortest_decimal(x));
+  return text.append(")");
 }
 
 std::string triangle_text(std::uint32_t mesh, std::uint32_t triangle) {
