@@ -319,6 +319,11 @@ typedef struct plumb_solid_report {
 plumb_status plumb_mesh_combine(plumb_operation operation, const plumb_mesh* const* meshes, size_t count,
                                 plumb_mesh** result, plumb_solid_report* report);
 
+/* Each convex part of a solid, its corners rounded once, its faces in triangles, is told to `take`, which returns 0 to
+ * stop; the part is there as long as the call. */
+plumb_status plumb_mesh_convex_parts(const plumb_mesh* mesh, int (*take)(const plumb_mesh* part, void* user),
+                                     void* user);
+
 plumb_status plumb_bvh_create(const plumb_mesh* mesh, plumb_bvh** bvh);
 void plumb_bvh_destroy(plumb_bvh* bvh);
 /* The triangle that each ray hits first, of equal hits the lowest, or -1; t and points (3 numbers each) may be NULL. */
@@ -341,7 +346,18 @@ plumb_status plumb_pairs_of(const plumb_pairs* pairs, const uint32_t** numbers, 
                             size_t* count);
 void plumb_pairs_destroy(plumb_pairs* pairs);
 
-/* ---- points ---- */
+/* ---- points and polygons ---- */
+
+/* Triangles of polygons and points: three indices each. */
+typedef struct plumb_triangles plumb_triangles;
+typedef enum plumb_winding_rule { PLUMB_ODD = 0, PLUMB_NONZERO, PLUMB_POSITIVE } plumb_winding_rule;
+/* Of a polygon, with holes or without, of the plane or of space: indices of its vertices as rings has them. */
+plumb_status plumb_triangulate(const plumb_figure* polygon, plumb_winding_rule rule, plumb_triangles** triangles);
+/* Of points of the plane, so that the circle of each holds no other point; segments are pairs of indices, or NULL. */
+plumb_status plumb_delaunay(const double* points, size_t count, const uint32_t* segments, size_t segment_count,
+                            plumb_triangles** triangles);
+plumb_status plumb_triangles_of(const plumb_triangles* triangles, const uint32_t** indices, size_t* count);
+void plumb_triangles_destroy(plumb_triangles* triangles);
 
 typedef struct plumb_points plumb_points; /* a k-d tree */
 plumb_status plumb_points_create(const double* points, size_t count, int dimension, plumb_points** tree);

@@ -273,6 +273,61 @@ static void ask_solids(void) {
   plumb_mesh_destroy(solids[1]);
 }
 
+static int count_parts(const plumb_mesh* part, void* user) {
+  const double* there = NULL;
+  size_t count = 0;
+  EXPECT_STATUS(plumb_mesh_vertices(part, &there, &count), PLUMB_OK);
+  EXPECT(count == 8);
+  ++*(int*)user;
+  return 1;
+}
+
+/* A square with a square hole, a cross of five points, a cube. */
+static void ask_polygons(void) {
+  static const double rings[16] = {0, 0, 4, 0, 4, 4, 0, 4, 1, 1, 1, 2, 2, 2, 2, 1};
+  static const double points[10] = {0, 0, 2, 0, 0, 2, 2, 2, 1, 1};
+  static const size_t sizes[2] = {4, 4};
+  static const uint32_t faces[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                     2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  static const uint32_t crossing[4] = {0, 3, 1, 2};
+  plumb_figure polygon = figure(PLUMB_HOLED_POLYGON, 2);
+  plumb_triangles* triangles = NULL;
+  plumb_mesh* cube = NULL;
+  const uint32_t* indices = NULL;
+  double corners[24];
+  size_t count = 0;
+  int i, parts = 0;
+
+  polygon.as.rings.vertices = rings;
+  polygon.as.rings.vertex_count = 8;
+  polygon.as.rings.ring_sizes = sizes;
+  polygon.as.rings.ring_count = 2;
+  EXPECT_STATUS(plumb_triangulate(&polygon, PLUMB_ODD, &triangles), PLUMB_OK);
+  EXPECT_STATUS(plumb_triangles_of(triangles, &indices, &count), PLUMB_OK);
+  EXPECT(count == 8 && indices[0] < 8);
+  plumb_triangles_destroy(triangles);
+  EXPECT_STATUS(plumb_delaunay(points, 5, NULL, 0, &triangles), PLUMB_OK);
+  EXPECT_STATUS(plumb_triangles_of(triangles, &indices, &count), PLUMB_OK);
+  EXPECT(count == 4);
+  plumb_triangles_destroy(triangles);
+  EXPECT_STATUS(plumb_delaunay(points, 4, crossing, 2, &triangles), PLUMB_FAILED);
+  EXPECT(strstr(plumb_last_error(), "cross") != NULL);
+  polygon.as.rings.vertex_count = 7;
+  EXPECT_STATUS(plumb_triangulate(&polygon, PLUMB_ODD, &triangles), PLUMB_INVALID_ARGUMENT);
+  polygon = ball(0, 0, 0, 1);
+  EXPECT_STATUS(plumb_triangulate(&polygon, PLUMB_ODD, &triangles), PLUMB_UNSUPPORTED);
+
+  for (i = 0; i < 8; ++i) {
+    corners[3 * i] = i & 1;
+    corners[3 * i + 1] = (i & 2) / 2;
+    corners[3 * i + 2] = (i & 4) / 4;
+  }
+  EXPECT_STATUS(plumb_mesh_create(corners, 8, faces, 12, &cube), PLUMB_OK);
+  EXPECT_STATUS(plumb_mesh_convex_parts(cube, count_parts, &parts), PLUMB_OK);
+  EXPECT(parts == 1);
+  plumb_mesh_destroy(cube);
+}
+
 static void ask_signs(void) {
   const size_t which = plumb_find_sign("orient2d");
   const double turn[6] = {0, 0, 1, 0, 0, 1};
@@ -300,6 +355,7 @@ int main(void) {
   ask_figures();
   ask_indexes();
   ask_solids();
+  ask_polygons();
   ask_signs();
   EXPECT(strcmp(plumb_version(), "") != 0);
   if (failures == 0) puts("all as it should be");
