@@ -147,7 +147,7 @@ TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
   expect_refusals({{"chart --quick", "plumb-lab"},
                    {"stability", "plumb-lab"},
                    {"vectors --out x", "plumb-lab"},
-                   {"boolean a.obj b.obj", "'plumb intersect A B' finds where two meshes cross"},
+                   {"booleans a.obj b.obj", "'plumb intersect A B' finds where two meshes cross"},
                    {"union a.obj", "'plumb section' cuts one by planes"},
                    {"mend a.obj", "'plumb repair' mends meshes"},
                    {"decompose a.obj", "'plumb parts'"},

@@ -45,6 +45,9 @@ void put_inputs(const Folder& folder) {
 /// By command, what it is asked.
 const std::map<std::string, std::vector<std::string>>& asked() {
   static const std::map<std::string, std::vector<std::string>> all{
+      {"boolean",
+       {"union cube.obj far.obj -o u.obj", "intersection cube.obj far.obj -o i.obj",
+        "symmetric cube.obj cube.obj far.obj -o s.obj", "difference --rounds 1 cube.obj crossing.obj -o d.obj"}},
       {"bounds", {"cube.obj open.obj --placements 20", "sliver.off --placements 5"}},
       {"bvh", {"cube.obj", "open.obj --method linear", "cube.obj --split-share 0.5"}},
       {"check", {"cube.obj open.obj sliver.off", "--verify cube.obj crossing.obj", "--all open.obj"}},

@@ -97,9 +97,11 @@ void require_closed(const FacePool& pool, std::span<const PooledTriangle> all) {
     const std::string where = "the edge from " + place_text(pool.mesh.vertices[runs[i].from]) + " to " +
                               place_text(pool.mesh.vertices[runs[i].to]) + ", of " +
                               triangle_text(runs[i].mesh, runs[i].triangle);
-    throw InvalidShape((next - i) % 2 != 0
-                           ? "arrange: the mesh is open at " + where + "; close it, or repair it"
-                           : "arrange: triangles run against each other along " + where + "; repair winds them");
+    const bool is_open = (next - i) % 2 != 0;
+    throw UnbalancedEdge(is_open ? "arrange: the mesh is open at " + where + "; close it, or repair it"
+                                 : "arrange: triangles run against each other along " + where + "; repair winds them",
+                         {runs[i].mesh, runs[i].triangle},
+                         {pool.mesh.vertices[runs[i].from], pool.mesh.vertices[runs[i].to]}, is_open);
   }
 }
 

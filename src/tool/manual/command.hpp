@@ -34,6 +34,7 @@ struct Command {
 /// All commands of a program, once they are made.
 using Commands = std::function<const std::vector<Command>&()>;
 
+Command boolean_command(CLI::App& program);
 Command bounds_command(CLI::App& program);
 Command bvh_command(CLI::App& program);
 Command check_command(CLI::App& program);

@@ -19,6 +19,7 @@ std::string environment();
 std::string environment_of_batches();
 
 Manual program_manual();
+Manual boolean_manual();
 Manual bounds_manual();
 Manual bvh_manual();
 Manual check_manual();

@@ -15,14 +15,14 @@ std::vector<Command> commands_of(CLI::App& app) {
           bvh_command(app),     intersect_command(app), distance_command(app), convex_command(app),
           inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
           convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app),
-          parts_command(app)};
+          parts_command(app),   boolean_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
   constexpr std::string_view
       laboratory = "that is a command of plumb-lab, the laboratory (docs/charts.md)",
       solids =
-          "the library unites, intersects and subtracts solids (docs/solids.md); 'plumb intersect "
+          "'plumb boolean OPERATION A B -o OUT' unites, intersects and subtracts solids; 'plumb intersect "
           "A B' finds where two meshes cross, 'plumb section' cuts one by planes",
       offsets =
           "meshes are not offset or thickened yet; 'plumb distance' says how far two are apart, "
@@ -46,7 +46,7 @@ std::string instead_of(const std::string& word) {
           "there is no Python module yet; what is asked of meshes and "
           "tables is answered as JSON too (--json)";
 
-  // What words begin with that mean the same: "booleans", "boolean-union", "Booleans".
+  // What words begin with that mean the same: "booleans", "boolean-union", "unions".
   constexpr std::array<std::pair<std::string_view, std::string_view>, 46> stems{{
       {"chart", laboratory},    {"stability", laboratory}, {"vectors", laboratory}, {"boolean", solids},
       {"union", solids},        {"unite", solids},         {"difference", solids},  {"subtract", solids},

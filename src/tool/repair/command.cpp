@@ -12,6 +12,7 @@
 #include "plumb/surface/file/write_mesh.hpp"
 #include "plumb/surface/planar/planarity.hpp"
 #include "plumb/surface/planar/triangulate.hpp"
+#include "tool/mesh/writing_to.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
 #include "tool/terminal/output_files.hpp"
@@ -73,11 +74,6 @@ std::string name_in_folder(const std::string& input) {
   const auto format = format_by_extension(name.string());
   if (!format || *format == MeshFormat::three_mf || *format == MeshFormat::gltf) name.replace_extension(".obj");
   return name.string();
-}
-
-/// Standard output has no extension: it is OBJ.
-WriteOptions writing_to(const std::string& path) {
-  return path == "-" ? WriteOptions{.format = MeshFormat::obj} : WriteOptions{};
 }
 
 /// Where each input's mesh goes.

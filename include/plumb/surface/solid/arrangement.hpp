@@ -14,18 +14,21 @@
 // one cell, and a cell that has others in it has several.  (5) Facets, vertices and their order depend on the points
 // and the triangles' directions alone, not on the order of meshes, vertices or triangles, nor on threads; so do
 // regions, but for the order of the numbers in their windings.
-// A mesh that is not closed, or whose triangles run against each other, throws InvalidShape, which names an edge and a
-// triangle there; so does a triangle that names no vertex.  NaN and infinity throw NonFinite.
+// A mesh that is not closed, or whose triangles run against each other, throws UnbalancedEdge, which names an edge and a
+// triangle there; a triangle that names no vertex throws InvalidShape.  NaN and infinity throw NonFinite.
 // Source: RTCD 2.2.1; Zhou, Grinspun, Zorin and Jacobson, Mesh arrangements for solid geometry, 2016; Hoffmann 1989.
 // Cost: that of a tree and of intersecting_pairs for all triangles together; some 10 us for each pair that meets; n log n
 // for each plane's segments and their pieces, and for edges; a descent for each connected group of facets.
 // Bounded by n^4 signs, for n triangles may cut one another into n^3 pieces.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "plumb/arith/error.hpp"
 #include "plumb/surface/solid/exact_mesh.hpp"
 
 namespace plumb {
@@ -61,6 +64,15 @@ struct Arrangement {
   [[nodiscard]] std::span<const std::int32_t> windings_of(std::size_t region) const {
     return std::span(windings).subspan(region * meshes, meshes);
   }
+};
+
+/// Triangles of a mesh run along an edge more often one way than the other.
+struct UnbalancedEdge : InvalidShape {
+  UnbalancedEdge(const std::string& text, SourceFace found, const std::array<Point3, 2>& along, bool is_one_open)
+      : InvalidShape(text), face(found), edge(along), is_open(is_one_open) {}
+  SourceFace face;             // one of them
+  std::array<Point3, 2> edge;  // its ends, in lexicographic order
+  bool is_open;                // an odd number of triangles has the edge; else they run against each other
 };
 
 Arrangement arrange(std::span<const TriangleMesh> meshes);

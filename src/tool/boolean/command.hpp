@@ -1,0 +1,54 @@
+// `plumb boolean`: what is the union, intersection or difference of the solids that these meshes bound?
+//
+// Laws: (1) the result is exact until it is rounded, once, and what is called sound is certified.  (2) No file that is
+// there is replaced, unless that is asked for, and never one that is read.  (3) What is not sound is written only where
+// that is asked for.  (4) A mesh that bounds nothing, open or wound against itself, is refused by its name, with an edge
+// and what mends it; each such mesh is, and nothing is written.  (5) Text and JSON tell the same.
+// Exit code 0 when done, 1 where the rounded result is not sound, 2 where a mesh is refused or cannot be read; words that
+// cannot be read and an output that cannot be written throw Error.
+// Source: plumb/surface/solid/boolean.hpp, plumb/surface/solid/round.hpp.
+// Cost: theirs, and an exact volume of each mesh.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/surface/solid/round.hpp"
+#include "tool/mesh/inputs.hpp"
+#include "tool/terminal/terminal.hpp"
+
+namespace plumb::tool {
+
+inline constexpr std::string_view operation_names[] = {"union", "intersection", "difference", "symmetric"};
+inline constexpr std::string_view winding_rules[] = {"positive", "nonzero", "odd"};
+
+struct BooleanOptions {
+  std::string operation;              // of operation_names
+  MeshArguments meshes;               // two or more
+  std::optional<std::string> output;  // "-" is standard output
+  std::string rule = "positive";      // of winding_rules
+  std::uint32_t rounds = RoundingOptions{}.rounds;
+  bool overwrite = false, unsound = false;  // replace a file; write what is not sound
+  std::optional<std::string> json;          // "-" is standard output
+  unsigned threads = 0;
+};
+
+int run_boolean(const BooleanOptions& options);
+
+struct BooleanReport {
+  std::string operation;
+  RoundedMesh result;
+  std::optional<double> volume;                 // none where it is not closed, or beyond all doubles
+  std::optional<std::string> written;           // the file
+  static constexpr std::size_t listed = 10;     // of the pairs that meet, in text
+  static constexpr std::size_t told = 100'000;  // in JSON
+};
+
+std::string boolean_text(const BooleanReport& report, const Style& style);
+/// Without what a report begins with.
+nlohmann::json boolean_json(const BooleanReport& report);
+
+}  // namespace plumb::tool

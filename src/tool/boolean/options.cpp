@@ -1,0 +1,39 @@
+#include <iterator>
+
+#include "tool/boolean/command.hpp"
+#include "tool/manual/command.hpp"
+#include "tool/manual/whole_number.hpp"
+
+namespace plumb::tool {
+
+Command boolean_command(CLI::App& program) {
+  const auto options = std::make_shared<BooleanOptions>();
+  BooleanOptions& o = *options;
+  CLI::App* const parser =
+      program.add_subcommand("boolean", "Unite, intersect or subtract solids, exactly, and round the result once.");
+  const auto one_of = [](const auto& names) {
+    return CLI::IsMember(std::vector<std::string>(std::begin(names), std::end(names)));
+  };
+  parser->add_option("OPERATION", o.operation, "union, intersection, difference or symmetric.")
+      ->check(one_of(operation_names));
+  add_meshes(parser, o.meshes, "each is a solid; the difference is that of the first and all others.");
+  parser
+      ->add_option("-o,--output", o.output,
+                   "Write the result to this file, in the format of its extension. - is standard output, as OBJ.")
+      ->type_name("OUT");
+  parser->add_flag("--overwrite", o.overwrite, "Replace the file of --output where it is there.");
+  parser
+      ->add_option("--rule", o.rule,
+                   "Inside a mesh is where it winds around a point positive times (the default), nonzero or odd times.")
+      ->check(one_of(winding_rules))
+      ->type_name("RULE");
+  parser->add_option("--rounds", o.rounds, "Round at most so often until the result is sound; 12 if not given.")
+      ->check(whole_number_from(1, 4294967295U))
+      ->type_name("N");
+  parser->add_flag("--unsound", o.unsound, "Write the result also where it is not sound.");
+  add_output(parser, "--json", o.json, "Write what was made, and whether it is sound, as JSON");
+  add_threads(parser, o.threads);
+  return {parser, boolean_manual, [options] { return run_boolean(*options); }, &o.meshes.words};
+}
+
+}  // namespace plumb::tool
