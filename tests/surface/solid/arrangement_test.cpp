@@ -139,6 +139,29 @@ std::string refusal(const TriangleMesh& mesh) {
   return {};
 }
 
+TEST(Arrangement, AnUnbalancedEdgeIsToldWithItsEndsAndATriangle) {
+  for (const bool is_open : {true, false}) {
+    TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+    if (is_open) mesh.triangles.pop_back();
+    if (!is_open) std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);
+    try {
+      (void)arrange(std::vector{box({0, 0, 0}, {1, 1, 1}), mesh});
+      FAIL();
+    } catch (const UnbalancedEdge& e) {
+      EXPECT_EQ(e.is_open, is_open);
+      EXPECT_EQ(e.face.mesh, 1U);
+      ASSERT_LT(e.face.triangle, mesh.triangles.size());
+      for (const Point3& end : e.edge) {
+        EXPECT_TRUE(std::ranges::any_of(mesh.triangles[e.face.triangle], [&](std::uint32_t v) {
+          const Point3& p = mesh.vertices[v];
+          return p.x == end.x && p.y == end.y && p.z == end.z;
+        }));
+      }
+      EXPECT_EQ(compare_xyz(e.edge[0], e.edge[1]), Sign::negative);
+    }
+  }
+}
+
 TEST(Arrangement, BadInputIsRefusedByName) {
   TriangleMesh open = box({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
