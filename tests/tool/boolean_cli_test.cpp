@@ -2,6 +2,7 @@
 // replaced.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -105,6 +106,8 @@ TEST(BooleanCommand, RefusesMeshesThatBoundNothingByTheirNames) {
                            HasSubstr("plumb: against.obj: triangles run against each other along the edge from ("),
                            Not(HasSubstr("a.obj: the"))));
   EXPECT_EQ(run("ls " + (folder / "out.obj") + " " + (folder / "out.json")).out, "");
+  const std::string twice = run(at + "union open.obj open.obj -o out.obj").err;
+  EXPECT_EQ(std::count(twice.begin(), twice.end(), '\n'), 1) << twice;
   ASSERT_EQ(run("cd " + (folder / "") + " && $PLUMB repair open.obj -o mended.obj").code, 0);
   expect_volume(folder, "union mended.obj a.obj", 8);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -35,9 +36,15 @@ ExactMesh combined(const BooleanOptions& options, std::span<const TriangleMesh> 
 
 std::string corner_text(const Point3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
 
+/// What is named twice is complained of once.
+bool is_named_before(const std::vector<std::string>& files, std::size_t i) {
+  return std::ranges::find(files, files[i]) - files.begin() != static_cast<std::ptrdiff_t>(i);
+}
+
 /// Every one of the meshes that bounds nothing is complained of.
 void complain_of_unbalanced(const std::vector<std::string>& files, std::span<const TriangleMesh> meshes) {
   for (std::size_t m = 0; m < meshes.size(); ++m) {
+    if (is_named_before(files, m)) continue;
     try {
       surface::pool_faces(meshes.subspan(m, 1));
     } catch (const UnbalancedEdge& e) {
@@ -49,15 +56,15 @@ void complain_of_unbalanced(const std::vector<std::string>& files, std::span<con
   }
 }
 
-/// By `positive` a mesh that is inside out bounds nothing, which is seldom meant.
+/// By `positive` what a mesh that is inside out encloses is outside, which is seldom meant.
 void complain_of_inside_out(const BooleanOptions& options, const AskedMesh& asked) {
   if (options.rule != "positive" || !asked.closed) return;
   try {
     // The double nearest to the exact volume has its sign, or is zero.
     if (signed_volume(asked.mesh) < 0)
       complain(
-          fmt::format("{}: it is wound inside out, and bounds nothing by '--rule positive'; 'plumb repair' turns "
-                      "it, '--rule nonzero' takes it for the solid that it encloses",
+          fmt::format("{}: it is wound inside out, and by '--rule positive' what it encloses is outside; 'plumb "
+                      "repair' turns it, '--rule nonzero' takes it as if it were turned",
                       printable(asked.name)));
   } catch (const Error&) {  // its volume is beyond all doubles
   }
@@ -99,10 +106,10 @@ int run_boolean(const BooleanOptions& options) {
   nlohmann::json said = report_on("plumb boolean", asked);
   said["passed_over"] = inputs.passed_over;
   std::vector<TriangleMesh> meshes;
-  for (AskedMesh& a : asked) {
-    if (says) say(mesh_line(a, style) + "\n");
-    complain_of_inside_out(options, a);
-    meshes.push_back(std::move(a.mesh));
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (says) say(mesh_line(asked[i], style) + "\n");
+    if (!is_named_before(inputs.files, i)) complain_of_inside_out(options, asked[i]);
+    meshes.push_back(std::move(asked[i].mesh));
   }
   if (says) flush_output();
   BooleanReport report{options.operation, {}, {}, {}};
