@@ -17,6 +17,7 @@
  * (4) An opaque handle is made by a function ..._create, ..._read or ..._parse and released by ..._destroy, which takes
  *     NULL.  A handle refers to no memory of the caller.  A handle that was released must not be used again.  Handles
  *     are never changed, so that threads may share them.
+ *     Choices come as int, so that one that is none is an error.
  * (5) Numbers of points stand one after another: x, y of the plane, x, y, z of space.  Callers own all arrays.
  * Source: RTCD as a whole, by the names of plumb/query.hpp, plumb/space.hpp and plumb/surface.hpp; docs/c.md.
  * Cost: that of the C++ functions and a copy of each figure: to relate two balls takes 40 ns.
@@ -315,9 +316,10 @@ typedef struct plumb_solid_report {
   int32_t is_sound; /* closed, wound outward, free of crossings: decided of the doubles that are told */
   double moved;     /* no point is farther than this from the exact result */
 } plumb_solid_report;
-/* The solids that closed meshes bound, combined exactly and rounded: docs/solids.md.  The report may be NULL. */
-plumb_status plumb_mesh_combine(plumb_operation operation, const plumb_mesh* const* meshes, size_t count,
-                                plumb_mesh** result, plumb_solid_report* report);
+/* The solids that closed meshes bound, combined exactly and rounded, by a plumb_operation: docs/solids.md.  The report
+ * may be NULL. */
+plumb_status plumb_mesh_combine(int operation, const plumb_mesh* const* meshes, size_t count, plumb_mesh** result,
+                                plumb_solid_report* report);
 
 /* Each convex part of a solid, its corners rounded once, its faces in triangles, is told to `take`, which returns 0 to
  * stop; the part is there as long as the call. */
@@ -351,8 +353,9 @@ void plumb_pairs_destroy(plumb_pairs* pairs);
 /* Triangles of polygons and points: three indices each. */
 typedef struct plumb_triangles plumb_triangles;
 typedef enum plumb_winding_rule { PLUMB_ODD = 0, PLUMB_NONZERO, PLUMB_POSITIVE } plumb_winding_rule;
-/* Of a polygon, with holes or without, of the plane or of space: indices of its vertices as rings has them. */
-plumb_status plumb_triangulate(const plumb_figure* polygon, plumb_winding_rule rule, plumb_triangles** triangles);
+/* Of a polygon, with holes or without, of the plane or of space, by a plumb_winding_rule: indices of its vertices as
+ * `rings` has them. */
+plumb_status plumb_triangulate(const plumb_figure* polygon, int rule, plumb_triangles** triangles);
 /* Of points of the plane, so that the circle of each holds no other point; segments are pairs of indices, or NULL. */
 plumb_status plumb_delaunay(const double* points, size_t count, const uint32_t* segments, size_t segment_count,
                             plumb_triangles** triangles);

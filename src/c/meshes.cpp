@@ -15,7 +15,7 @@ using c::guarded, c::need, c::need_size;
 
 namespace {
 
-ExactMesh combined(plumb_operation operation, std::span<const TriangleMesh> meshes) {
+ExactMesh combined(int operation, std::span<const TriangleMesh> meshes) {
   switch (operation) {
     case PLUMB_UNITE:
       return unite(meshes);
@@ -28,7 +28,7 @@ ExactMesh combined(plumb_operation operation, std::span<const TriangleMesh> mesh
     default:
       break;
   }
-  throw c::InvalidArgument("operation " + std::to_string(static_cast<int>(operation)) + " is none");
+  throw c::InvalidArgument("operation " + std::to_string(operation) + " is none");
 }
 
 }  // namespace
@@ -133,8 +133,8 @@ plumb_status plumb_mesh_repair(const plumb_mesh* mesh, plumb_mesh** repaired) {
   });
 }
 
-plumb_status plumb_mesh_combine(plumb_operation operation, const plumb_mesh* const* meshes, std::size_t count,
-                                plumb_mesh** result, plumb_solid_report* report) {
+plumb_status plumb_mesh_combine(int operation, const plumb_mesh* const* meshes, std::size_t count, plumb_mesh** result,
+                                plumb_solid_report* report) {
   return guarded("plumb_mesh_combine", [&] {
     need(meshes, count, "meshes");
     need(result, "result");

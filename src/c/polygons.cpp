@@ -29,11 +29,11 @@ CornerTriangles triangles_of(const AnyFigure& polygon, WindingRule rule) {
 
 extern "C" {
 
-plumb_status plumb_triangulate(const plumb_figure* polygon, plumb_winding_rule rule, plumb_triangles** triangles) {
+plumb_status plumb_triangulate(const plumb_figure* polygon, int rule, plumb_triangles** triangles) {
   return guarded("plumb_triangulate", [&] {
     need(triangles, "triangles");
     if (rule != PLUMB_ODD && rule != PLUMB_NONZERO && rule != PLUMB_POSITIVE)
-      throw c::InvalidArgument("rule " + std::to_string(static_cast<int>(rule)) + " is none");
+      throw c::InvalidArgument("rule " + std::to_string(rule) + " is none");
     const AnyFigure figure = c::figure_of(polygon, "polygon");
     *triangles = new plumb_triangles{triangles_of(figure, static_cast<WindingRule>(rule))};
   });

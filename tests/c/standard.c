@@ -263,7 +263,7 @@ static void ask_solids(void) {
   EXPECT(count >= 8);
   plumb_mesh_destroy(both);
   both = NULL;
-  EXPECT_STATUS(plumb_mesh_combine((plumb_operation)9, (const plumb_mesh* const*)solids, 2, &both, NULL),
+  EXPECT_STATUS(plumb_mesh_combine(9, (const plumb_mesh* const*)solids, 2, &both, NULL),
                 PLUMB_INVALID_ARGUMENT);
   plumb_mesh_destroy(solids[1]);
   EXPECT_STATUS(plumb_mesh_create(corners, 8, faces, 11, &solids[1]), PLUMB_OK); /* open */
