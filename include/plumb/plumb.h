@@ -76,7 +76,7 @@ plumb_status plumb_signs(size_t which, const double* const* columns, const ptrdi
 
 /* ---- figures ---- */
 
-/* Of the plane (dimension 2), of space (3) or of both. */
+/* A kind is one of the plane (dimension 2), of space (3) or of both. */
 typedef enum plumb_kind {
   PLUMB_POINT = 1,
   PLUMB_LINE,
@@ -142,7 +142,7 @@ typedef struct plumb_rings {
   const size_t* ring_sizes;
   size_t ring_count;
 } plumb_rings;
-/* Of each halfspace its normal, then its offset. */
+/* The numbers are, for each halfspace, its normal, then its offset. */
 typedef struct plumb_halfspaces { const double* numbers; size_t count; } plumb_halfspaces;
 /* All x with min[i] <= directions[i] . x <= max[i]. */
 typedef struct plumb_k_dop { const double *directions, *min, *max; size_t count; } plumb_k_dop;
@@ -155,7 +155,7 @@ typedef struct plumb_polyhedron {
   size_t face_count;
 } plumb_polyhedron;
 
-/* Where it stands: as it is, under a matrix, under a turn by a quaternion that need not be of length one and is exact,
+/* A figure stands as it is, under a matrix, under a turn by a quaternion that need not be of length one and is exact,
  * or under a chain of such turns, the last nearest to the figure. */
 typedef enum plumb_pose_kind { PLUMB_AS_IT_IS = 0, PLUMB_MATRIX, PLUMB_RIGID, PLUMB_CHAIN } plumb_pose_kind;
 typedef struct plumb_matrix2 { double columns[2][2], translation[2]; } plumb_matrix2;
@@ -194,7 +194,7 @@ typedef struct plumb_figure {
 } plumb_figure;
 
 plumb_status plumb_kept_create(const plumb_figure* figure, plumb_kept** kept);
-/* From a line such as `ball3 0 0 0 1`, with its pose: plumb/query/body/any_figure.hpp. */
+/* Reads a line such as `ball3 0 0 0 1`, with its pose: plumb/query/body/any_figure.hpp. */
 plumb_status plumb_kept_parse(const char* line, plumb_kept** kept);
 void plumb_kept_destroy(plumb_kept* kept);
 /* The line of a figure, numbers in hexadecimal; *length without the ending 0, of which all is written if it is below
@@ -241,7 +241,7 @@ plumb_status plumb_first_hit(const plumb_figure* ray, const plumb_figure* figure
 /* When do they meet first, while a moves by `by_a` and b by `by_b` in time 0 to 1?  NULL: it stands still. */
 plumb_status plumb_first_contact(const plumb_figure* a, const double* by_a, const plumb_figure* b, const double* by_b,
                                  int* found, plumb_meeting* meeting);
-/* Of convex bodies of space: how far, and along what, must a move so that they meet no longer? */
+/* How far, and along what, must a move so that two convex bodies of space meet no longer? */
 plumb_status plumb_penetrate(const plumb_figure* a, const plumb_figure* b, int* found, plumb_penetration* penetration);
 /* relate, intersects and distance of a[i] and b[i], on all threads; the first pair that fails is told. */
 plumb_status plumb_relate_each(const plumb_figure* a, const plumb_figure* b, size_t count, int8_t* relations);
@@ -275,7 +275,7 @@ plumb_status plumb_contact(const plumb_figure* a, const plumb_figure* b, const p
 /* ---- one figure ---- */
 
 plumb_status plumb_locate(const plumb_figure* figure, const double* point, plumb_location* location);
-/* Of the plane, z is 0. */
+/* The z of figures of the plane is 0. */
 plumb_status plumb_fit_aabb(const plumb_figure* figure, plumb_aabb3* box);
 plumb_status plumb_support_point(const plumb_figure* figure, const double* direction, double* point);
 
@@ -295,14 +295,14 @@ typedef struct plumb_faults {
 plumb_status plumb_mesh_create(const double* vertices, size_t vertex_count, const uint32_t* triangles,
                                size_t triangle_count, plumb_mesh** mesh);
 plumb_status plumb_mesh_read(const char* path, plumb_mesh** mesh);
-/* By the extension: .stl, .obj, .off, .ply.  A file that is there is replaced only if `replace` is not 0. */
+/* The extension tells the format (.stl, .obj, .off, .ply).  A file that is there is replaced only where `replace` says so. */
 plumb_status plumb_mesh_write(const plumb_mesh* mesh, const char* path, int replace);
 void plumb_mesh_destroy(plumb_mesh* mesh);
 /* The mesh's own arrays, as long as the mesh is there. */
 plumb_status plumb_mesh_vertices(const plumb_mesh* mesh, const double** vertices, size_t* count);
 plumb_status plumb_mesh_triangles(const plumb_mesh* mesh, const uint32_t** triangles, size_t* count);
 plumb_status plumb_mesh_faults(const plumb_mesh* mesh, const plumb_progress* progress, plumb_faults* faults);
-/* By the plan that makes a printable solid; what cannot be mended stays: ask for the faults. */
+/* Follows the plan that makes a printable solid; what cannot be mended stays: ask for the faults. */
 plumb_status plumb_mesh_repair(const plumb_mesh* mesh, plumb_mesh** repaired);
 
 typedef enum plumb_operation {
@@ -331,7 +331,7 @@ void plumb_bvh_destroy(plumb_bvh* bvh);
 /* The triangle that each ray hits first, of equal hits the lowest, or -1; t and points (3 numbers each) may be NULL. */
 plumb_status plumb_bvh_first_hits(const plumb_bvh* bvh, const double* origins, const double* directions, size_t count,
                                   int64_t* triangles, double* t, double* points);
-/* Where each point is to the solid that a closed mesh bounds: plumb_location. */
+/* Tells where each point is to the solid that a closed mesh bounds: plumb_location. */
 plumb_status plumb_bvh_locate(const plumb_bvh* bvh, const double* points, size_t count, int8_t* locations);
 /* Distances and nearest points (3 numbers each) may be NULL. */
 plumb_status plumb_bvh_closest(const plumb_bvh* bvh, const double* points, size_t count, int64_t* triangles,
@@ -353,10 +353,10 @@ void plumb_pairs_destroy(plumb_pairs* pairs);
 /* Triangles of polygons and points: three indices each. */
 typedef struct plumb_triangles plumb_triangles;
 typedef enum plumb_winding_rule { PLUMB_ODD = 0, PLUMB_NONZERO, PLUMB_POSITIVE } plumb_winding_rule;
-/* Of a polygon, with holes or without, of the plane or of space, by a plumb_winding_rule: indices of its vertices as
+/* Cuts a polygon, with holes or without, of the plane or of space, by a plumb_winding_rule: indices are of vertices as
  * `rings` has them. */
 plumb_status plumb_triangulate(const plumb_figure* polygon, int rule, plumb_triangles** triangles);
-/* Of points of the plane, so that the circle of each holds no other point; segments are pairs of indices, or NULL. */
+/* Joins points of the plane, so that no circle of a triangle holds another; segments are pairs of indices, or NULL. */
 plumb_status plumb_delaunay(const double* points, size_t count, const uint32_t* segments, size_t segment_count,
                             plumb_triangles** triangles);
 plumb_status plumb_triangles_of(const plumb_triangles* triangles, const uint32_t** indices, size_t* count);

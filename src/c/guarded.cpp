@@ -10,7 +10,7 @@
 namespace plumb::c {
 namespace {
 
-/// In a buffer of the thread, so that memory that has run out can be told.
+/// The text is in a buffer of the thread, so that memory that has run out can be told.
 constexpr std::size_t longest_text = 4096;
 thread_local char last_error[longest_text] = "";
 

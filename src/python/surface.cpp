@@ -29,7 +29,7 @@ py::dict shown_shell(const Shell& s) {
   return d;
 }
 
-/// By the names that the program's JSON has for them.
+/// Members have the names that the program's JSON has for them.
 py::object report_of(const SurfaceFaults& f) {
   py::dict d;
   d["triangles"] = f.triangles;

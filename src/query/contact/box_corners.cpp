@@ -223,7 +223,7 @@ struct Crossed {
   ToldPoints on_a, on_b;
   ToldFour apart;
 };
-/// Of edges i of a and j of b, in lanes.
+/// The pair is edge i of a and edge j of b, in lanes.
 HWY_INLINE void cross_at(const Crossings& c, const Corners4& a, const Corners4& b, const Twofolds& length,
                          const std::array<std::int64_t, 4>& i, const std::array<std::int64_t, 4>& j, Crossed& to) {
   std::array<std::int64_t, 4> pair{};

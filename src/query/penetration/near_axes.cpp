@@ -18,7 +18,7 @@ namespace {
 
 using namespace many_vectors::HWY_NAMESPACE;  // NOLINT: all of it is of this text
 
-/// In all lanes.
+/// The same number stands in all lanes.
 struct GivenBoxes {
   std::array<Space<Many>, 6> axis;
   std::array<Twofolds, 6> length;

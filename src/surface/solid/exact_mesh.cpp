@@ -12,7 +12,7 @@ Rational six_fold_volume(const std::vector<RationalPoint3>& at, std::span<const 
     const RationalPoint3 &a = at[i], &b = at[k], &c = at[l];
     return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
   }
-  // In halves, so that few sums have the denominators of many.
+  // Halves are summed, so that few sums have the denominators of many.
   const std::size_t half = triangles.size() / 2;
   return six_fold_volume(at, triangles.first(half)) + six_fold_volume(at, triangles.subspan(half));
 }

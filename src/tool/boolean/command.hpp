@@ -48,7 +48,7 @@ struct BooleanReport {
 };
 
 std::string boolean_text(const BooleanReport& report, const Style& style);
-/// Without what a report begins with.
+/// Leaves out what a report begins with.
 nlohmann::json boolean_json(const BooleanReport& report);
 
 }  // namespace plumb::tool

@@ -54,7 +54,7 @@ struct Arrangement {
   /// Those of facet f are sources[first_source[f]] up to sources[first_source[f + 1]], ascending.
   std::vector<FacetSource> sources;
   std::vector<std::uint32_t> first_source{0};
-  /// Of region r around mesh m: windings[r * meshes + m].
+  /// Mesh m winds around region r so often: windings[r * meshes + m].
   std::vector<std::int32_t> windings;
 
   [[nodiscard]] std::size_t regions() const { return meshes == 0 ? 0 : windings.size() / meshes; }

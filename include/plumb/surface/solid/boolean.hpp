@@ -46,13 +46,13 @@ ExactMesh solid_where(std::span<const TriangleMesh> meshes, const Inside& inside
 
 ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule = WindingRule::positive);
 
-/// In any of them.
+/// Keeps what is in any of them.
 ExactMesh unite(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
-/// In all of them.
+/// Keeps what is in all of them.
 ExactMesh intersect(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
-/// In the first, and in none of the others.
+/// Keeps what is in the first, and in none of the others.
 ExactMesh subtract(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
-/// In an odd number of them.
+/// Keeps what is in an odd number of them.
 ExactMesh symmetric_difference(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
 
 ExactMesh unite(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive);
