@@ -295,7 +295,7 @@ typedef struct plumb_faults {
 plumb_status plumb_mesh_create(const double* vertices, size_t vertex_count, const uint32_t* triangles,
                                size_t triangle_count, plumb_mesh** mesh);
 plumb_status plumb_mesh_read(const char* path, plumb_mesh** mesh);
-/* The extension tells the format (.stl, .obj, .off, .ply).  A file that is there is replaced only where `replace` says so. */
+/* The extension tells the format (.stl, .obj, .off, .ply).  A file is replaced only if `replace` is not 0. */
 plumb_status plumb_mesh_write(const plumb_mesh* mesh, const char* path, int replace);
 void plumb_mesh_destroy(plumb_mesh* mesh);
 /* The mesh's own arrays, as long as the mesh is there. */
