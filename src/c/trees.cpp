@@ -188,9 +188,7 @@ plumb_status plumb_points_within(const plumb_points* tree, const double* query, 
     if (take == nullptr) throw c::InvalidArgument("take is NULL");
     std::visit(
         [&]<class Point>(const KdTree<Point>& of) {
-          std::vector<std::uint32_t> found = within(of, items<Point>(query, 1, "query")[0], radius);
-          std::ranges::sort(found);
-          for (const std::uint32_t i : found)
+          for (const std::uint32_t i : within(of, items<Point>(query, 1, "query")[0], radius))
             if (take(i, user) == 0) return;
         },
         tree->tree);

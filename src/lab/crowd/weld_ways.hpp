@@ -31,7 +31,7 @@ WeldInto by_first_come(const WeldCloud& cloud);
 /// Sorted by x, compared as floats with those before until x is too far.
 WeldInto by_sorting(const WeldCloud& cloud);
 
-/// Of differences as T computes them.
+/// The answer is that of differences as T computes them.
 template <class T>
 bool are_near(const Point3& p, const Point3& q) {
   const T x = T(p.x) - T(q.x), y = T(p.y) - T(q.y), z = T(p.z) - T(q.z);

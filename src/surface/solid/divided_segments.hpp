@@ -21,7 +21,7 @@ class SeenPoints {
   SeenPoints(PointTable& table, const PlaneView& view) : table_(table), view_(view) {}
 
   std::uint32_t add(std::uint32_t number_in_table);
-  /// Where the lines ab and cd cross.
+  /// Tells where the lines ab and cd cross.
   std::uint32_t add_crossing(const std::array<std::uint32_t, 2>& ab, const std::array<std::uint32_t, 2>& cd);
 
   [[nodiscard]] std::size_t size() const { return seen_.size(); }

@@ -36,7 +36,7 @@ struct SideSets {
 };
 SideSets join_sides(const FacetList& list, const PointTable& table);
 
-/// Of each set around each mesh of the pool, as Arrangement::windings.
+/// Each set winds so often around each mesh of the pool, as in Arrangement::windings.
 std::vector<std::int32_t> windings_of_sets(const FacePool& pool, const FacetList& list, const PointTable& table,
                                            const SideSets& sets);
 

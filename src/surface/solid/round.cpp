@@ -20,7 +20,7 @@ Rational squared_move(const ExactPoint3& from, const Point3& to) {
   return x * x + y * y + z * z;
 }
 
-/// Where vertices go in one round: to their nearest doubles, or to a grid where something was wrong the round before.
+/// Tells where vertices go in one round: to their nearest doubles, or to a grid where the round before went wrong.
 class RoundingPlaces {
  public:
   /// From now on, what was constructed and these points go to the grid.

@@ -38,7 +38,7 @@ bool is_closed_by_faces(const FacePool& pool) {
   return true;
 }
 
-/// Of faces that meet in shared vertices and edges only.
+/// Takes faces that meet in shared vertices and edges only.
 bool is_wound_once(const FacePool& pool, const PointTable& table) {
   FacetList list;
   for (std::uint32_t f = 0; f < pool.mesh.triangles.size(); ++f) {
