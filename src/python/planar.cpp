@@ -1,9 +1,10 @@
 #include <pybind11/stl.h>
 
 #include "plumb/surface/parts/covering_parts.hpp"
+#include "plumb/surface/planar/arrange_segments.hpp"
 #include "plumb/surface/planar/convex_pieces.hpp"
-#include "plumb/surface/planar/delaunay.hpp"
 #include "plumb/surface/planar/triangulate_polygon.hpp"
+#include "plumb/surface/planar/voronoi.hpp"
 #include "python/figure_members.hpp"
 #include "python/fractions.hpp"
 #include "python/mesh.hpp"
@@ -24,15 +25,10 @@ WindingRule rule_named(const std::string& rule, const char* function) {
   throw py::value_error(std::string(function) + ": polygon is no " + kinds);
 }
 
-/// Rows of as many numbers as the arrays have.
+/// None of the numbers is -1.
 template <std::size_t n>
 py::array_t<std::int32_t> rows_of_numbers(const std::vector<std::array<std::uint32_t, n>>& rows) {
-  py::array_t<std::int32_t> out(
-      std::vector<py::ssize_t>{static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(n)});
-  std::int32_t* to = out.mutable_data();
-  for (const auto& row : rows)
-    for (const std::uint32_t number : row) *to++ = static_cast<std::int32_t>(number);  // none is -1
-  return out;
+  return array_of<std::int32_t>(std::span<const std::array<std::uint32_t, n>>(rows));
 }
 
 py::object triangulated(const py::object& polygon, const std::string& rule) {
@@ -60,6 +56,42 @@ py::list pieces_of(const py::object& polygon, const std::string& rule, bool fewe
   py::list out;
   for (const auto& piece : pieces) out.append(array_of<std::int32_t>(std::span<const std::uint32_t>(piece)));
   return out;
+}
+
+/// Rounded once, or a list of pairs of fractions.
+py::object places_of(const std::vector<ExactPoint2>& points, bool exact) {
+  if (exact) {
+    py::list out;
+    for (const ExactPoint2& p : points) out.append(fractions_of(rational_point(p)));
+    return out;
+  }
+  std::vector<Point2> rounded;
+  rounded.reserve(points.size());
+  for (const ExactPoint2& p : points) rounded.push_back(approximate(p));
+  return array_of<double>(std::span<const Point2>(rounded));
+}
+
+py::object arrangement_of(const py::object& segments, bool exact) {
+  const py::array_t<double> rows = rows_of(segments, {"arrange_segments", "segments"}, 4);
+  const std::span<const Segment2> all(reinterpret_cast<const Segment2*>(rows.data()),
+                                      static_cast<std::size_t>(rows.shape(0)));
+  const PlanarArrangement made = unlocked([&] { return arrange_segments(all); });
+  const py::object windings =
+      made.windings.empty() ? py::object(py::none()) : array_of<std::int32_t>(std::span(made.windings));
+  return answer("Arrangement", places_of(made.vertices, exact), rows_of_numbers(made.ends), rows_of_numbers(made.edges),
+                rows_of_numbers(made.sides), made.faces, windings, rows_of_numbers(made.triangles),
+                array_of<std::int32_t>(std::span<const std::uint32_t>(made.face_of)));
+}
+
+py::object voronoi_of(const py::object& points, bool exact) {
+  const py::array_t<double> rows = rows_of(points, {"voronoi", "points"}, 2);
+  const std::span<const Point2> all = points_of<Point2>(rows);
+  auto [made, centers] = unlocked([&] {
+    PlanarTriangulation joined = delaunay(all);
+    std::vector<ExactPoint2> found = voronoi_vertices(all, joined);
+    return std::pair(std::move(joined), std::move(found));
+  });
+  return answer("Voronoi", places_of(centers, exact), rows_of_numbers(made.triangles), rows_of_numbers(made.neighbors));
 }
 
 py::object delaunay_of(const py::object& points, const py::object& segments) {
@@ -128,6 +160,18 @@ void add_planar(py::module_& module) {
       "each holds no other point?\n\nParameters\n----------\npoints : array_like, shape (n, 2)\nsegments : "
       "array_like of integers, shape (m, 2): pairs of points that edges must join\n\nReturns\n-------\nDelaunay\n\n"
       "Raises\n------\nValueError\n    If two segments cross at no point of these; the text names both, and where.");
+  module.def(
+      "voronoi", voronoi_of, py::arg("points"), py::kw_only(), py::arg("exact") = false,
+      "voronoi(points, *, exact=False)\n--\n\nWhich points of the plane are as far from three points as from no "
+      "other?\n\nParameters\n----------\npoints : array_like, shape (n, 2)\nexact : vertices as pairs of Fraction, "
+      "not rounded\n\nReturns\n-------\nVoronoi: a vertex for each triangle of the Delaunay triangulation; edges "
+      "join those of neighbors");
+  module.def(
+      "arrange_segments", arrangement_of, py::arg("segments"), py::kw_only(), py::arg("exact") = false,
+      "arrange_segments(segments, *, exact=False)\n--\n\nHow do segments divide the plane?\n\nParameters\n----------\n"
+      "segments : array_like, shape (n, 4): x and y of an end, x and y of the other\nexact : vertices as pairs of "
+      "Fraction, not rounded\n\nReturns\n-------\nArrangement: where they cross and overlap, the edges between, the "
+      "faces and their winding numbers");
   module.def("convex_parts", parts_of, py::arg("mesh"),
              "convex_parts(mesh)\n--\n\nOf which convex polyhedra does a solid consist, exactly?\n\nParameters\n"
              "----------\nmesh : Mesh, closed and wound outward\n\nReturns\n-------\nlist of ConvexPart");

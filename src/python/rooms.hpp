@@ -19,6 +19,7 @@ void add_hull(pybind11::module_& module);
 void add_planar(pybind11::module_& module);
 void add_solids(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
+void add_topology(pybind11::module_& module);
 void add_generated(pybind11::module_& module);
 
 }  // namespace plumb::python

@@ -60,6 +60,8 @@ __all__ = [
     "Triangle3",
     "angle_sign",
     "are_ordered_along_line",
+    "arrange_segments",
+    "boundary_loops",
     "check",
     "closest_points",
     "collinear",
@@ -76,6 +78,7 @@ __all__ = [
     "compare_power",
     "compare_signed_distance_to_line",
     "compare_signed_distance_to_plane",
+    "components",
     "contact",
     "contains",
     "convex_parts",
@@ -102,6 +105,7 @@ __all__ = [
     "intersects",
     "line_edge",
     "locate",
+    "merge_coplanar",
     "minimum_obb",
     "minimum_sphere",
     "order_along_cross",
@@ -126,9 +130,12 @@ __all__ = [
     "subtract",
     "support_point",
     "support_value",
+    "surface_kinds",
     "symmetric_difference",
     "triangulate",
     "unite",
+    "voronoi",
+    "weld",
 ]
 
 def orient2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Any: ...
@@ -743,6 +750,15 @@ def repair(
 def triangulate(polygon: Figure, rule: str = "odd") -> NDArray[np.int32]: ...
 def convex_pieces(polygon: Figure, rule: str = "odd", *, fewest: bool = False) -> list[NDArray[np.int32]]: ...
 def delaunay(points: ArrayLike, segments: ArrayLike | None = None) -> answers.Delaunay: ...
+def voronoi(points: ArrayLike, *, exact: bool = False) -> answers.Voronoi: ...
+def arrange_segments(segments: ArrayLike, *, exact: bool = False) -> answers.Arrangement: ...
+def components(mesh: Mesh, over: str = "manifold-edges") -> NDArray[np.int32]: ...
+def boundary_loops(mesh: Mesh) -> list[answers.BoundaryLoop]: ...
+def surface_kinds(mesh: Mesh) -> list[answers.SurfaceKind]: ...
+def weld(
+    mesh: Mesh, tolerance: float = 0.0, *, rule: str = "clusters", turned_over: str = "refused"
+) -> answers.Welded: ...
+def merge_coplanar(mesh: Mesh, tolerance: float = 0.0, *, collinear: str = "kept") -> answers.CoplanarFaces: ...
 def convex_parts(mesh: Mesh) -> list[answers.ConvexPart]: ...
 def covering_parts(
     mesh: Mesh, concavity: float = 0.0, most_parts: int | None = None

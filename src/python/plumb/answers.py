@@ -3,10 +3,12 @@
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
-__all__ = ["ClosestPoints", "Combined", "ConvexPart", "CoveringPart", "Delaunay",
+__all__ = ["Arrangement", "BoundaryLoop", "ClosestPoints", "Combined", "ConvexPart", "CoplanarFace", "CoplanarFaces",
+           "CoveringPart", "Delaunay",
            "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
            "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
-           "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support"]
+           "MergedVertex", "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support",
+           "SurfaceKind", "Voronoi", "Welded"]
 
 
 class Feature(NamedTuple):
@@ -189,6 +191,81 @@ class Delaunay(NamedTuple):
 
     simplices: Any  # int32, shape (n, 3)
     neighbors: Any  # int32, shape (n, 3): over the edge from corner k to the next; -1 where there is none
+
+
+class Voronoi(NamedTuple):
+    """The centers of the circles of a Delaunay triangulation; edges join those of neighbors."""
+
+    vertices: Any  # float64, shape (n, 2), rounded once; where exact: a list of pairs of Fraction
+    simplices: Any  # int32, shape (n, 3): the three points around each
+    neighbors: Any  # int32, shape (n, 3): -1 where an edge has no end
+
+
+class Arrangement(NamedTuple):
+    """Where segments cross and overlap, the edges between, and the faces; face 0 is the one without bounds."""
+
+    vertices: Any  # float64, shape (n, 2), rounded once; where exact: a list of pairs of Fraction
+    ends: Any  # int32, shape (s, 2): the vertices at which each segment ends
+    edges: Any  # int32, shape (m, 2): from the lower vertex to the higher
+    sides: Any  # int32, shape (m, 2): the faces on the left and on the right
+    faces: int
+    windings: Any  # int32, shape (faces,); None where some vertex is left more often than entered, or less
+    triangles: Any  # int32, shape (k, 3): those of the convex hull
+    face_of: Any  # int32, shape (k,): the face of each triangle
+
+
+class BoundaryLoop(NamedTuple):
+    """Vertices along which a surface ends, in the order in which the triangles beside them run."""
+
+    vertices: Any  # int32, shape (n,)
+    closed: bool  # else a chain between edges of more than two triangles
+
+
+class SurfaceKind(NamedTuple):
+    """What kind of surface a component is: a sphere has euler 2 and genus 0, a torus 0 and 1."""
+
+    vertices: int
+    edges: int
+    faces: int
+    loops: int
+    orientable: bool
+    euler: int
+    genus: int  # handles; crosscaps where it is not orientable
+
+
+class MergedVertex(NamedTuple):
+    """A vertex that became another, and how far it moved."""
+
+    vertex: int
+    into: int
+    distance: float
+
+
+class Welded(NamedTuple):
+    """A mesh whose vertices were welded, and what became of them and of the triangles."""
+
+    mesh: Any  # Mesh
+    into: Any  # int32, shape (n,): of each vertex, its own number where it stays
+    merged: List[MergedVertex]
+    collapsed: Any  # int32: triangles two corners of which became one
+    turned: Any  # int32: triangles that are turned over
+    refused: Any  # int32: first vertices of groups that fell apart, since triangles would turn over
+
+
+class CoplanarFace(NamedTuple):
+    """Neighboring triangles in one plane, as a polygon with holes."""
+
+    rings: List[Any]  # int32 arrays of vertices: the outer ring, then the holes
+    triangles: Any  # int32, ascending
+    plane: int  # the triangle in whose plane it is
+
+
+class CoplanarFaces(NamedTuple):
+    """All of a mesh's faces, and the mesh of as few triangles as they take."""
+
+    faces: List[CoplanarFace]
+    apart: Any  # int32: first triangles of those that become no polygon
+    mesh: Any  # Mesh
 
 
 class ConvexPart(NamedTuple):
