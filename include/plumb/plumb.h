@@ -309,7 +309,8 @@ typedef enum plumb_operation {
   PLUMB_UNITE = 0,
   PLUMB_INTERSECT,
   PLUMB_SUBTRACT, /* from the first all others */
-  PLUMB_SYMMETRIC_DIFFERENCE
+  PLUMB_SYMMETRIC_DIFFERENCE,
+  PLUMB_MERGE_PIECES = 256 /* added to one of these: all that lies in one plane becomes as few triangles as can be */
 } plumb_operation;
 typedef struct plumb_solid_report {
   size_t size;

@@ -7,6 +7,7 @@
 #include "plumb/surface/file/write_mesh.hpp"
 #include "plumb/surface/repair/repair.hpp"
 #include "plumb/surface/solid/boolean.hpp"
+#include "plumb/surface/solid/merge_pieces.hpp"
 #include "plumb/surface/solid/round.hpp"
 #include "plumb/surface/topology/faults.hpp"
 
@@ -144,7 +145,9 @@ plumb_status plumb_mesh_combine(int operation, const plumb_mesh* const* meshes, 
       need(meshes[i], "a mesh");
       solids.push_back(meshes[i]->mesh);
     }
-    RoundedMesh rounded = round(combined(operation, solids));
+    ExactMesh exact = combined(operation & ~PLUMB_MERGE_PIECES, solids);
+    if ((operation & PLUMB_MERGE_PIECES) != 0) exact = merge_pieces(exact);
+    RoundedMesh rounded = round(exact);
     *result = new plumb_mesh{std::move(rounded.mesh)};
     if (report != nullptr) c::write(report, plumb_solid_report{0, rounded.sound, rounded.moved});
   });

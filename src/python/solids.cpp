@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "plumb/surface/solid/boolean.hpp"
+#include "plumb/surface/solid/merge_pieces.hpp"
 #include "plumb/surface/solid/round.hpp"
 #include "python/figure_members.hpp"
 #include "python/fractions.hpp"
@@ -13,13 +14,16 @@ namespace {
 
 using Operation = ExactMesh (*)(std::span<const TriangleMesh>, WindingRule);
 
-py::object combined(const char* name, Operation operation, const py::args& meshes) {
+py::object combined(const char* name, Operation operation, const py::args& meshes, bool merge) {
   std::vector<TriangleMesh> solids;
   for (const py::handle& mesh : meshes) {
     if (!py::isinstance<TriangleMesh>(mesh)) throw py::type_error(std::string(name) + ": takes meshes alone");
     solids.push_back(mesh.cast<const TriangleMesh&>());
   }
-  RoundedMesh r = unlocked([&] { return round(operation(solids, WindingRule::positive)); });
+  RoundedMesh r = unlocked([&] {
+    const ExactMesh exact = operation(solids, WindingRule::positive);
+    return round(merge ? merge_pieces(exact) : exact);
+  });
   std::vector<std::int32_t> sources;
   for (const SourceFace& f : r.sources)
     sources.insert(sources.end(), {static_cast<std::int32_t>(f.mesh), static_cast<std::int32_t>(f.triangle)});
@@ -33,10 +37,13 @@ py::object combined(const char* name, Operation operation, const py::args& meshe
 void add_solids(py::module_& module) {
   const auto add = [&module](const char* name, Operation operation, const std::string& question) {
     module.def(
-        name, [name, operation](const py::args& meshes) { return combined(name, operation, meshes); },
-        (std::string(name) + "(*meshes)\n--\n\n" + question +
+        name,
+        [name, operation](const py::args& meshes, bool merge) { return combined(name, operation, meshes, merge); },
+        py::kw_only(), py::arg("merge") = false,
+        (std::string(name) + "(*meshes, merge=False)\n--\n\n" + question +
          "\n\nThe solids are those that the closed meshes bound; the result is exact before it is rounded once.\n\n"
-         "Parameters\n----------\n*meshes : Mesh, closed and wound outward\n\nReturns\n-------\nCombined\n\n"
+         "Parameters\n----------\n*meshes : Mesh, closed and wound outward\nmerge : all that lies in one "
+         "plane becomes as few triangles as can be\n\nReturns\n-------\nCombined\n\n"
          "Raises\n------\nValueError\n    If a mesh is open or its triangles run against each other; the text names "
          "an edge.")
             .c_str());

@@ -258,6 +258,11 @@ static void ask_solids(void) {
   EXPECT(where == PLUMB_INSIDE);
   plumb_bvh_destroy(bvh);
   plumb_mesh_destroy(both);
+  EXPECT_STATUS(plumb_mesh_combine(PLUMB_UNITE + PLUMB_MERGE_PIECES, (const plumb_mesh* const*)solids, 2, &both, NULL),
+                PLUMB_OK);
+  EXPECT_STATUS(plumb_mesh_vertices(both, &there, &count), PLUMB_OK);
+  EXPECT(count == 8); /* one is moved along x: a longer box */
+  plumb_mesh_destroy(both);
   EXPECT_STATUS(plumb_mesh_combine(PLUMB_INTERSECT, (const plumb_mesh* const*)solids, 2, &both, NULL), PLUMB_OK);
   EXPECT_STATUS(plumb_mesh_vertices(both, &there, &count), PLUMB_OK);
   EXPECT(count >= 8);

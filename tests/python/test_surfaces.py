@@ -148,6 +148,10 @@ def test_solids_of_solids_have_their_volumes():
             report = plumb.check(told.mesh)
             assert told.sound and told.moved == 0 and (report["closed"] or not len(told.mesh.faces)), name
             assert not report["overlapping"] and len(told.sources) == len(told.mesh.faces)
+            merged = getattr(plumb, name)(a, b, merge=True)
+            assert merged.sound and volume(merged.mesh) == volume(told.mesh)
+            assert len(merged.mesh.faces) <= len(told.mesh.faces)
+        assert sum(x != 0 for x in at) > 1 or len(plumb.unite(a, b, merge=True).mesh.faces) in (12, 24)
         common = math.prod(max(0, 2 - abs(x)) for x in at)
         shared += common > 0
         assert volume(whole["intersect"].mesh) == 6 * common

@@ -426,6 +426,15 @@ inline const CostRow rows_of_indexes[]{
      }},
     {"unite", "surface/solid/boolean.hpp", quartic, 3000,
      [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }},
+    {"merge_pieces", "surface/solid/merge_pieces.hpp", quadratic, 200,
+     [](const Cloud& c) {
+       const TriangleMesh hull = hull_of(c.a);
+       ExactMesh mesh;
+       mesh.vertices.assign(hull.vertices.begin(), hull.vertices.end());
+       mesh.triangles = hull.triangles;
+       mesh.sources.resize(hull.triangles.size());
+       (void)merge_pieces(mesh);
+     }},
     {"round", "surface/solid/round.hpp", quartic, 100, [](const Cloud& c) { (void)round(resolve(hull_of(c.a))); }},
     {"repair", "surface/repair/repair.hpp", quartic, 2000, [](const Cloud& c) { (void)repair(c.mesh); }},
     {"close_vertices", "surface/topology/defects.hpp", quadratic, 5,

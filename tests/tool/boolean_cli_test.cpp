@@ -80,6 +80,13 @@ TEST(BooleanCommand, SaysWhatItMade) {
   EXPECT_EQ(volume(parse_mesh(piped.out, "out.obj")), 7);
 }
 
+TEST(BooleanCommand, MergesPiecesOfOnePlane) {
+  const Folder folder;
+  const Outcome o = run(with_cubes(folder) + "union a.obj beside.obj --merge -o merged.obj");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("union: 8 vertices, 12 triangles, volume 16\nsound: no point moved\n"));
+}
+
 TEST(BooleanCommand, TakesFolders) {
   const Folder folder;
   ASSERT_EQ(run("mkdir -p " + (folder / "in/deep")).code, 0);

@@ -15,6 +15,7 @@
 #include "surface/repair/point_order.hpp"
 #include "surface/repair/weld_groups.hpp"
 #include "surface/topology/between.hpp"
+#include "surface/topology/region_rings.hpp"
 
 namespace plumb {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 using surface::comes_before;
 using Vertices = std::vector<std::uint32_t>;
 
-constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max(), no_vertex = no_face;
+constexpr std::uint32_t no_face = std::numeric_limits<std::uint32_t>::max();
 
 std::array<Point3, 3> corners_of(const TriangleMesh& mesh, std::uint32_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
@@ -107,7 +108,7 @@ class CoplanarGrowth {
         tolerance_(tolerance),
         twin_(half_edges(mesh, find_edges(mesh)).twin),
         face_(mesh.triangles.size(), no_face),
-        passed_(3 * mesh.triangles.size()) {
+        rings_(mesh.triangles, twin_, face_) {
     for (const std::uint32_t seed : seeds_of(mesh, tolerance))
       if (face_[seed] == no_face) grow(seed);
     for (GrownFace& f : faces) std::ranges::sort(f.triangles);
@@ -133,7 +134,8 @@ class CoplanarGrowth {
         grown.triangles.push_back(beyond / 3);
       }
     }
-    grown.rings = rings_of(grown.triangles);
+    grown.rings = rings_.of(grown.triangles);
+    for (Vertices& ring : grown.rings) surface::begin_with_first(mesh_.vertices, ring);
     if (grown.triangles.size() > 2 && !order_rings(grown, plane)) {
       take_apart(grown);
     } else {
@@ -142,29 +144,6 @@ class CoplanarGrowth {
   }
 
   [[nodiscard]] std::uint32_t from(std::uint32_t h) const { return mesh_.triangles[h / 3][h % 3]; }
-  [[nodiscard]] bool is_inner(std::uint32_t h) const {
-    return twin_[h] != no_half_edge && face_[twin_[h] / 3] == face_[h / 3];
-  }
-
-  /// Each along its fans, from its first point on.
-  std::vector<Vertices> rings_of(const Vertices& triangles) {
-    std::vector<Vertices> rings;
-    for (const std::uint32_t t : triangles) {
-      for (std::uint32_t start = 3 * t; start < 3 * t + 3; ++start) {
-        if (passed_[start] || is_inner(start)) continue;
-        Vertices ring;
-        std::uint32_t h = start;
-        do {
-          passed_[h] = true;
-          ring.push_back(from(h));
-          for (h = next_half_edge(h); is_inner(h);) h = next_half_edge(twin_[h]);
-        } while (h != start);
-        surface::begin_with_first(mesh_.vertices, ring);
-        rings.push_back(std::move(ring));
-      }
-    }
-    return rings;
-  }
 
   /// False where the rings are those of no polygon.
   [[nodiscard]] bool order_rings(GrownFace& face, const PlaneOfFace& plane) const {
@@ -198,37 +177,23 @@ class CoplanarGrowth {
   const TriangleMesh& mesh_;
   double tolerance_;
   Vertices twin_, face_;
-  std::vector<bool> passed_;
+  surface::RegionRings rings_;
 };
 
 /// Do all rings run straight through a vertex?
 std::vector<std::uint8_t> straight_vertices(const TriangleMesh& mesh, const std::vector<GrownFace>& faces) {
-  std::vector<std::array<std::uint32_t, 2>> beside(mesh.vertices.size(), {no_vertex, no_vertex});
-  std::vector<std::uint8_t> straight(mesh.vertices.size(), 1);
+  surface::RingNeighbors beside(mesh.vertices.size());
+  std::vector<std::uint8_t> keeps(mesh.vertices.size()), straight(mesh.vertices.size());
   for (const GrownFace& f : faces) {
-    for (const Vertices& ring : f.rings) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        auto& [one, other] = beside[ring[i]];
-        for (const std::uint32_t v : {ring[(i + ring.size() - 1) % ring.size()], ring[(i + 1) % ring.size()]}) {
-          if (one == no_vertex || one == v) {
-            one = v;
-          } else if (other == no_vertex || other == v) {
-            other = v;
-          } else {
-            straight[ring[i]] = 0;
-          }
-        }
-      }
-    }
+    for (const Vertices& ring : f.rings) beside.add(ring);
     const auto& [a, b, c] = mesh.triangles[f.triangles[0]];
     if (f.triangles.size() == 1 && collinear(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]))
-      straight[a] = straight[b] = straight[c] = 0;
+      keeps[a] = keeps[b] = keeps[c] = 1;
   }
-  for (std::size_t v = 0; v < straight.size(); ++v) {
-    const auto& [one, other] = beside[v];
-    straight[v] = straight[v] != 0 && other != no_vertex &&
-                  surface::is_strictly_between(mesh.vertices[one], mesh.vertices[v], mesh.vertices[other]);
-  }
+  const auto between = [&](std::uint32_t a, std::uint32_t v, std::uint32_t b) {
+    return surface::is_strictly_between(mesh.vertices[a], mesh.vertices[v], mesh.vertices[b]);
+  };
+  for (std::uint32_t v = 0; v < straight.size(); ++v) straight[v] = keeps[v] == 0 && beside.is_straight(v, between);
   return straight;
 }
 

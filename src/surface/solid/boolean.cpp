@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plumb/arith/error.hpp"
+#include "surface/solid/mesh_in_order.hpp"
 
 namespace plumb {
 namespace {
@@ -24,20 +25,6 @@ bool is_in(std::int32_t winding, WindingRule rule) {
 SourceFace source_of(std::span<const FacetSource> sources, bool opposite) {
   const auto at = std::ranges::find(sources, opposite, &FacetSource::opposite);
   return (at == sources.end() ? sources.front() : *at).face;
-}
-
-/// Keeps the vertices that triangles name.
-void drop_unused(ExactMesh& mesh) {
-  std::vector<std::uint32_t> number(mesh.vertices.size());
-  for (const auto& corners : mesh.triangles)
-    for (const std::uint32_t v : corners) number[v] = 1;
-  std::vector<ExactPoint3> kept;
-  for (std::size_t v = 0; v < number.size(); ++v)
-    if (std::exchange(number[v], static_cast<std::uint32_t>(kept.size())) != 0)
-      kept.push_back(std::move(mesh.vertices[v]));
-  for (auto& corners : mesh.triangles)
-    for (std::uint32_t& v : corners) v = number[v];
-  mesh.vertices = std::move(kept);
 }
 
 template <class Combine>
@@ -64,15 +51,7 @@ ExactMesh solid_of(const Arrangement& arrangement, std::span<const std::uint8_t>
     if (turned) std::swap(corners[1], corners[2]);
     kept.emplace_back(corners, source_of(arrangement.sources_of(f), turned));
   }
-  std::ranges::sort(kept);
-  ExactMesh result;
-  result.vertices = arrangement.vertices;
-  for (const auto& [corners, source] : kept) {
-    result.triangles.push_back(corners);
-    result.sources.push_back(source);
-  }
-  drop_unused(result);
-  return result;
+  return surface::mesh_in_order(arrangement.vertices, std::move(kept));
 }
 
 ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule) { return unite(std::span(&mesh, 1), rule); }

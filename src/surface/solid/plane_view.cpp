@@ -12,7 +12,20 @@ Sign turn_along(const std::array<Point3, 3>& p, int axis) {
   return orient2d(shadow(p[0], axis), shadow(p[1], axis), shadow(p[2], axis));
 }
 
-/// A guess: axes, that of the normal's largest coordinate first.
+}  // namespace
+
+Point2 shadow(const Point3& p, int axis) {
+  return axis == 2 ? Point2{p.x, p.y} : axis == 0 ? Point2{p.y, p.z} : Point2{p.z, p.x};
+}
+
+ExactPoint2 shadow(const ExactPoint3& p, int axis) {
+  if (const auto* given = std::get_if<Point3>(&p.as())) return shadow(*given, axis);
+  const RationalPoint3 exact = rational_point(p);
+  if (axis == 2) return RationalPoint2{exact.x, exact.y};
+  return axis == 0 ? RationalPoint2{exact.y, exact.z} : RationalPoint2{exact.z, exact.x};
+}
+
+// A guess.
 std::array<int, 3> guessed_axes(const std::array<Point3, 3>& p) {
   std::array<double, 3> size{};
   for (int axis = 0; axis < 3; ++axis) {
@@ -26,12 +39,6 @@ std::array<int, 3> guessed_axes(const std::array<Point3, 3>& p) {
   return axes;
 }
 
-}  // namespace
-
-Point2 shadow(const Point3& p, int axis) {
-  return axis == 2 ? Point2{p.x, p.y} : axis == 0 ? Point2{p.y, p.z} : Point2{p.z, p.x};
-}
-
 PlaneView::PlaneView(const std::array<Point3, 3>& points) : points_(points) {
   for (const int axis : guessed_axes(points)) {
     const Sign turn = turn_along(points, axis);
@@ -43,12 +50,7 @@ PlaneView::PlaneView(const std::array<Point3, 3>& points) : points_(points) {
   if (turned_) std::swap(points_[1], points_[2]);
 }
 
-ExactPoint2 PlaneView::seen(const ExactPoint3& p) const {
-  if (const auto* given = std::get_if<Point3>(&p.as())) return shadow(*given, axis_);
-  const RationalPoint3 exact = rational_point(p);
-  if (axis_ == 2) return RationalPoint2{exact.x, exact.y};
-  return axis_ == 0 ? RationalPoint2{exact.y, exact.z} : RationalPoint2{exact.z, exact.x};
-}
+ExactPoint2 PlaneView::seen(const ExactPoint3& p) const { return shadow(p, axis_); }
 
 Sign PlaneView::side(const ExactPoint3& p) const {
   if (const auto* given = std::get_if<Point3>(&p.as())) return side(*given);

@@ -34,5 +34,9 @@ class PlaneView {
 
 /// The point's shadow along the axis: (x, y), (y, z) or (z, x).
 Point2 shadow(const Point3& p, int axis);
+ExactPoint2 shadow(const ExactPoint3& p, int axis);
+
+/// Three axes, first the one along which doubles tell the largest area.
+std::array<int, 3> guessed_axes(const std::array<Point3, 3>& points);
 
 }  // namespace plumb::surface

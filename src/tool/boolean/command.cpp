@@ -10,6 +10,7 @@
 #include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/measures/measures.hpp"
 #include "plumb/surface/solid/boolean.hpp"
+#include "plumb/surface/solid/merge_pieces.hpp"
 #include "surface/solid/face_pool.hpp"
 #include "tool/mesh/asked_mesh.hpp"
 #include "tool/mesh/writing_to.hpp"
@@ -117,7 +118,8 @@ int run_boolean(const BooleanOptions& options) {
     Progress bar("boolean " + options.operation, 3);
     bar.note("combining");
     bar.advance();
-    const ExactMesh exact = combined(options, meshes);
+    ExactMesh exact = combined(options, meshes);
+    if (options.merge) exact = merge_pieces(exact);
     bar.note("rounding");
     bar.advance();
     report.result = round(exact, {.rounds = options.rounds});

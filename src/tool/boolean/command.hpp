@@ -31,6 +31,7 @@ struct BooleanOptions {
   std::optional<std::string> output;  // "-" is standard output
   std::string rule = "positive";      // of winding_rules
   std::uint32_t rounds = RoundingOptions{}.rounds;
+  bool merge = false;                       // coplanar pieces, before it is rounded
   bool overwrite = false, unsound = false;  // replace a file; write what is not sound
   std::optional<std::string> json;          // "-" is standard output
   unsigned threads = 0;

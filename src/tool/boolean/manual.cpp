@@ -16,6 +16,9 @@ that it bounds, and writes the mesh of what is inside any of them
 (difference), or an odd number of them (symmetric). A mesh may touch and
 cross itself and the others, lie in their planes, or be one of them.
 
+Where faces were cut, their pieces stay, unless --merge makes polygons
+of all that lies in one plane, exactly, and triangles of these anew.
+
 All is combined at once and exactly; then each vertex is rounded to its
 nearest double, and the result is judged: closed, wound outward, and no
 two triangles with anything in common but vertices and edges of both.

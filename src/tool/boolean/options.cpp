@@ -27,6 +27,8 @@ Command boolean_command(CLI::App& program) {
                    "Inside a mesh is where it winds around a point positive times (the default), nonzero or odd times.")
       ->check(one_of(winding_rules))
       ->type_name("RULE");
+  parser->add_flag("--merge", o.merge,
+                   "Make polygons of what lies in one plane, and as few triangles of these as can be.");
   parser->add_option("--rounds", o.rounds, "Round at most so often until the result is sound; 12 if not given.")
       ->check(whole_number_from(1, 4294967295U))
       ->type_name("N");
