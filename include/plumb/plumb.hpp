@@ -1,5 +1,5 @@
-// The signs, figures, trees of many, and meshes with their files: all but what each of these faces says is apart.
-// Generators of hard inputs are apart as well, in plumb/degenerate.hpp.
+// The signs, figures, trees of many, meshes with their files, and worlds: all but what each of these faces says is
+// apart.  Generators of hard inputs are apart as well, in plumb/degenerate.hpp.
 #pragma once
 
 #include "plumb/certify/accepted.hpp"
@@ -9,3 +9,4 @@
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
 #include "plumb/surface.hpp"
+#include "plumb/world.hpp"

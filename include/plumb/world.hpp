@@ -1,0 +1,6 @@
+// The face of worlds: bodies that come, go and move, and which of them meet.
+//
+// Source: docs/sections.md, chapter 2.
+#pragma once
+
+#include "plumb/world/world.hpp"  // World: which pairs meet, and what has begun and ended since the last commit

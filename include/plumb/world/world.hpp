@@ -1,0 +1,108 @@
+// Which bodies of a scene meet, and what has begun and ended since the last look?
+//
+//   World world;
+//   const BodyHandle ball = world.add(Sphere3{{0, 0, 0}, 1}, {.user_id = 7});
+//   world.add(Posed{box, RigidPose{{1, 0, 0, 1}, {2, 0, 0}}}, {.user_id = 8});
+//   world.move(ball, RigidPose{{}, {1, 0, 0}});
+//   const WorldEvents& now = world.commit();    // now.begun, now.kept, now.ended
+//   world.overlaps(region)                      // of the bodies as they stand now
+//
+// Laws: (1) after commit() pairs() are exactly the pairs whose relate is not disjoint and that no filter leaves out, as if
+// each pair were asked.  (2) begun, kept and ended are what these and those of the commit before differ by; a pair of a
+// body that was removed has ended.  (3) Answers ascend by user ids, and where these are equal by handles; where user ids
+// differ, the order of insertion changes nothing but handles.  (4) A handle names one body for ever; its slot is used
+// again with another generation.  (5) What throws leaves the world as it was.
+// A handle of a body that was removed, or of none, throws StaleHandle.  NonFinite and InvalidShape name the body by its
+// user id; Unsupported refuses a figure of the plane or without an end, UnevenPose one under a matrix.
+// Source: RTCD 2.4.1.
+// Cost: that of MovingBoxes for what has moved, and relate for each pair of boxes that overlap of which a body has
+// changed.  Nothing is searched but by MovingBoxes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "plumb/figure/basic/relation.hpp"
+#include "plumb/query/body/any_figure.hpp"
+#include "plumb/space/broad_phase/moving_boxes.hpp"
+
+namespace plumb {
+
+/// The body of this handle was removed, or never was; the text names the function and the handle.
+struct StaleHandle : Error {
+  using Error::Error;
+};
+
+using BodyHandle = BoxHandle;
+
+/// Two bodies are asked about if each one's mask has a bit of the other's group.
+struct BodyOptions {
+  std::uint32_t group = 1, mask = 0xffffffff;
+  std::uint64_t user_id = 0;
+};
+
+/// a comes before b by user id, then by handle.
+struct WorldPair {
+  std::uint64_t id_a, id_b;
+  BodyHandle a, b;
+  Relation relation;  // of a pair that has ended, what it was
+  friend bool operator==(const WorldPair&, const WorldPair&) = default;
+};
+
+struct WorldEvents {
+  std::vector<WorldPair> begun, kept, ended;
+};
+
+class World {
+ public:
+  World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  /// A bounded figure of space, as it stands or under a rigid pose or a chain of them.
+  BodyHandle add(const AnyFigure& figure, const BodyOptions& options = {});
+  /// The pose takes the place of that which the figure had.
+  void move(const BodyHandle& body, const RigidPose& pose);
+  /// Another figure, by the same handle, options and events.
+  void replace(const BodyHandle& body, const AnyFigure& figure);
+  void remove(const BodyHandle& body);
+
+  [[nodiscard]] bool contains(const BodyHandle& body) const;
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] const AnyFigure& figure(const BodyHandle& body) const;
+  [[nodiscard]] const BodyOptions& options(const BodyHandle& body) const;
+
+  /// May these two collide without being told?  A row of the allowed-collision matrix; none is allowed at first.
+  void allow_collision(const BodyHandle& a, const BodyHandle& b, bool allowed = true);
+  /// Pairs of which filter(a, b), two handles, is false are left out, from the next commit on.  Each is asked in the order
+  /// of WorldPair, once a commit; the filter may ask the world and not change it.
+  template <class Filter>
+  requires requires(Filter& filter, const BodyHandle& a, const BodyHandle& b) { bool(filter(a, b)); }
+  void set_filter(Filter filter) {
+    keep_filter(std::make_shared<Filter>(std::move(filter)), [](void* of, const BodyHandle& a, const BodyHandle& b) {
+      return bool((*static_cast<Filter*>(of))(a, b));
+    });
+  }
+  void clear_filter() { keep_filter(nullptr, nullptr); }
+
+  /// Valid until the next commit.
+  const WorldEvents& commit();
+  /// All that meet, as of the last commit.
+  [[nodiscard]] const std::vector<WorldPair>& pairs() const;
+
+  /// The bodies that have a point in the figure, as they stand now, whose group has a bit of the mask.
+  [[nodiscard]] std::vector<BodyHandle> overlaps(const AnyFigure& figure, std::uint32_t mask = 0xffffffff) const;
+
+ private:
+  using AskFilter = bool (*)(void* filter, const BodyHandle& a, const BodyHandle& b);
+  void keep_filter(std::shared_ptr<void> filter, AskFilter ask);
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace plumb

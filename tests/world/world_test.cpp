@@ -1,0 +1,299 @@
+// Worlds: are the pairs that meet, and what begins, is kept and ends, those of asking each pair, whatever was added,
+// moved, replaced, removed and filtered, and in whatever order?
+#include "plumb/world/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "plumb/degenerate/entropy.hpp"
+#include "plumb/query/variant/questions.hpp"
+
+namespace plumb {
+namespace {
+
+using Ids = std::pair<std::uint64_t, std::uint64_t>;
+using Meetings = std::map<Ids, Relation>;
+
+/// On a coarse lattice, so that bodies touch exactly and coincide; a third of them have no inside.
+AnyFigure drawn_figure(Entropy& e) {
+  const auto at = [&e] { return Point3{double(e.within(3)), double(e.within(3)), double(e.within(2))}; };
+  const Point3 p = at(), q = at();
+  switch (e.below(7)) {
+    case 0:
+      return Aabb3{p, {p.x + double(e.below(3)), p.y + double(e.below(3)), p.z + double(e.below(3))}};
+    case 1:
+      return Sphere3{p, double(e.below(3))};
+    case 2:
+      return Segment3{p, e.coin() ? p : q};
+    case 3:
+      return Triangle3{p, e.coin() ? p : q, at()};
+    case 4:
+      return Capsule3{p, e.coin() ? p : q, double(e.below(2))};
+    case 5:
+      return Obb3{p, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {double(e.below(2)), 1, double(e.below(2))}};
+    default:
+      return Tetrahedron3{p, q, at(), e.coin() ? p : at()};
+  }
+}
+
+RigidPose drawn_pose(Entropy& e) {
+  const std::array<Rotation, 4> turns{{{1, 0, 0, 0}, {1, 0, 0, 1}, {1, 1, 0, 0}, {2, 1, -1, 3}}};
+  return {turns[e.below(4)], {double(e.within(3)), double(e.within(3)), double(e.within(1))}};
+}
+
+struct Known {
+  AnyFigure figure;
+  BodyOptions options;
+  BodyHandle handle;
+};
+
+/// What a world must say, by asking each pair.
+struct ByEachPair {
+  std::map<std::uint64_t, Known> bodies;
+  std::map<Ids, bool> allowed;
+  bool is_odd_left_out = false;
+
+  [[nodiscard]] Meetings meetings() const {
+    Meetings found;
+    for (auto a = bodies.begin(); a != bodies.end(); ++a) {
+      for (auto b = std::next(a); b != bodies.end(); ++b) {
+        const BodyOptions &x = a->second.options, &y = b->second.options;
+        if ((x.group & y.mask) == 0 || (y.group & x.mask) == 0) continue;
+        if (allowed.contains({a->first, b->first})) continue;
+        if (is_odd_left_out && (a->first + b->first) % 2 == 1) continue;
+        const Relation r = relate(a->second.figure, b->second.figure);
+        if (r != Relation::disjoint) found[{a->first, b->first}] = r;
+      }
+    }
+    return found;
+  }
+};
+
+/// Of pairs that ascend by ids, each once.
+Meetings as_meetings(const std::vector<WorldPair>& pairs) {
+  Meetings found;
+  Ids last{0, 0};
+  for (const WorldPair& p : pairs) {
+    const Ids ids{p.id_a, p.id_b};
+    EXPECT_LT(last, ids);
+    last = ids;
+    found[ids] = p.relation;
+  }
+  return found;
+}
+
+struct Counts {
+  int begun = 0, kept = 0, ended = 0, touching = 0, overlapping = 0;
+};
+
+void expect_events(const WorldEvents& events, const Meetings& before, const Meetings& now, Counts& counts) {
+  Meetings begun, kept, ended;
+  for (const auto& [ids, r] : now) (before.contains(ids) ? kept : begun)[ids] = r;
+  for (const auto& [ids, r] : before) {
+    if (!now.contains(ids)) ended[ids] = r;
+  }
+  EXPECT_EQ(as_meetings(events.begun), begun);
+  EXPECT_EQ(as_meetings(events.kept), kept);
+  EXPECT_EQ(as_meetings(events.ended), ended);
+  counts.begun += int(begun.size());
+  counts.kept += int(kept.size());
+  counts.ended += int(ended.size());
+  for (const auto& [ids, r] : now) ++(r == Relation::touching ? counts.touching : counts.overlapping);
+}
+
+void add_body(World& world, ByEachPair& all, std::uint64_t id, Entropy& e) {
+  const BodyOptions options{std::uint32_t(1 + e.below(3)), e.below(4) == 0 ? 1U : 0xffffffffU, id};
+  AnyFigure figure = drawn_figure(e);
+  if (e.coin()) figure = figure.under(drawn_pose(e));
+  all.bodies.insert({id, Known{figure, options, world.add(figure, options)}});
+}
+
+/// One of those there are.
+Known& drawn_body(ByEachPair& all, Entropy& e) {
+  return std::next(all.bodies.begin(), std::ptrdiff_t(e.below(all.bodies.size())))->second;
+}
+
+void change(World& world, ByEachPair& all, std::uint64_t& next_id, std::vector<BodyHandle>& stale, Entropy& e) {
+  const std::uint64_t what = e.below(8);
+  if (all.bodies.size() < 5 || what == 0) return add_body(world, all, next_id++, e);
+  Known& body = drawn_body(all, e);
+  if (what == 1) {
+    const std::uint64_t id = body.options.user_id;
+    world.remove(body.handle);
+    stale.push_back(body.handle);
+    all.bodies.erase(id);
+    std::erase_if(all.allowed, [&](const auto& row) { return row.first.first == id || row.first.second == id; });
+  } else if (what == 2) {
+    body.figure = drawn_figure(e);
+    world.replace(body.handle, body.figure);
+  } else if (what == 3) {
+    const Known& other = drawn_body(all, e);
+    const Ids ids = std::minmax(body.options.user_id, other.options.user_id);
+    const bool is_allowed = e.coin();
+    world.allow_collision(body.handle, other.handle, is_allowed);
+    if (is_allowed) {
+      all.allowed[ids] = true;
+    } else {
+      all.allowed.erase(ids);
+    }
+  } else {
+    const RigidPose pose = drawn_pose(e);
+    body.figure = body.figure.under(pose);
+    world.move(body.handle, pose);
+  }
+}
+
+void expect_overlaps(const World& world, const ByEachPair& all, const AnyFigure& region) {
+  std::vector<BodyHandle> expected;
+  for (const auto& [id, body] : all.bodies) {
+    if ((body.options.group & 2) != 0 && intersects(body.figure, region)) expected.push_back(body.handle);
+  }
+  EXPECT_EQ(world.overlaps(region, 2), expected);
+}
+
+TEST(World, ReplaysAsAskingEachPair) {
+  Counts counts;
+  for (std::uint64_t run = 0; run < 20; ++run) {
+    Entropy e(4100, run);
+    World world;
+    ByEachPair all;
+    std::uint64_t next_id = 1;
+    std::vector<BodyHandle> stale;
+    Meetings before;
+    for (int frame = 0; frame < 60; ++frame) {
+      SCOPED_TRACE("replay: Entropy(4100, " + std::to_string(run) + "), frame " + std::to_string(frame));
+      const std::uint64_t changes = frame == 0 ? 60 : e.below(8);
+      for (std::uint64_t i = 0; i < changes; ++i) change(world, all, next_id, stale, e);
+      if (e.below(10) == 0) {
+        all.is_odd_left_out = !all.is_odd_left_out;
+        const auto is_even = [&world](const BodyHandle& a, const BodyHandle& b) {
+          return (world.options(a).user_id + world.options(b).user_id) % 2 == 0;
+        };
+        if (all.is_odd_left_out) {
+          world.set_filter(is_even);
+        } else {
+          world.clear_filter();
+        }
+      }
+      const Meetings now = all.meetings();
+      expect_events(world.commit(), before, now, counts);
+      EXPECT_EQ(as_meetings(world.pairs()), now);
+      EXPECT_EQ(world.size(), all.bodies.size());
+      expect_overlaps(world, all, drawn_figure(e));
+      for (const BodyHandle& handle : stale) EXPECT_THROW(static_cast<void>(world.figure(handle)), StaleHandle);
+      if (::testing::Test::HasFailure()) return;
+      before = now;
+    }
+  }
+  std::printf("%d begun, %d kept, %d ended; %d touching, %d overlapping\n", counts.begun, counts.kept, counts.ended,
+              counts.touching, counts.overlapping);
+  for (const int seen : {counts.begun, counts.kept, counts.ended, counts.touching, counts.overlapping}) {
+    EXPECT_GT(seen, 200);
+  }
+}
+
+TEST(World, OrderOfInsertionChangesNothing) {
+  for (std::uint64_t run = 0; run < 20; ++run) {
+    SCOPED_TRACE("replay: Entropy(4200, " + std::to_string(run) + ")");
+    Entropy e(4200, run);
+    std::vector<std::pair<std::uint64_t, AnyFigure>> bodies;
+    for (std::uint64_t id = 1; id <= 20; ++id) bodies.emplace_back(id, drawn_figure(e));
+    const auto answers = [&bodies] {
+      World world;
+      for (const auto& [id, figure] : bodies) world.add(figure, {.user_id = id});
+      return as_meetings(world.commit().begun);
+    };
+    const Meetings first = answers();
+    EXPECT_FALSE(first.empty());
+    for (std::size_t i = bodies.size() - 1; i > 0; --i) std::swap(bodies[i], bodies[e.below(i + 1)]);
+    EXPECT_EQ(answers(), first);
+  }
+}
+
+// Each box rests on the one below; a step away by the least double is apart.
+TEST(World, RestingBoxesTouch) {
+  World world;
+  std::vector<BodyHandle> boxes;
+  for (int level = 0; level < 10; ++level) {
+    boxes.push_back(world.add(Aabb3{{0, 0, 0.1 * level}, {1, 1, 0.1 * (level + 1)}}, {.user_id = unsigned(level)}));
+  }
+  EXPECT_EQ(world.commit().begun.size(), 9U);
+  for (const WorldPair& p : world.pairs()) EXPECT_EQ(p.relation, Relation::touching);
+  EXPECT_TRUE(world.commit().begun.empty());
+  EXPECT_EQ(world.commit().kept.size(), 9U);
+  world.move(boxes[9], RigidPose{{}, {0, 0, 0x1p-50}});
+  ASSERT_EQ(world.commit().ended.size(), 1U);
+  EXPECT_EQ(world.commit().kept.size(), 8U);
+}
+
+// A slot that is used again has another generation; the old pair has ended, and the new one begun.
+TEST(World, SlotsThatAreUsedAgainAreOtherBodies) {
+  World world;
+  const BodyHandle a = world.add(Sphere3{{0, 0, 0}, 1}, {.user_id = 1});
+  const BodyHandle b = world.add(Sphere3{{1, 0, 0}, 1}, {.user_id = 2});
+  EXPECT_EQ(world.commit().begun.size(), 1U);
+  world.remove(b);
+  const std::vector<WorldPair> ended = world.commit().ended;
+  const BodyHandle c = world.add(Sphere3{{1, 0, 0}, 1}, {.user_id = 2});
+  EXPECT_EQ(c.slot, b.slot);
+  EXPECT_NE(c.generation, b.generation);
+  const std::vector<WorldPair> begun = world.commit().begun;
+  ASSERT_EQ(ended.size(), 1U);
+  ASSERT_EQ(begun.size(), 1U);
+  EXPECT_EQ(ended[0].b, b);
+  EXPECT_EQ(begun[0].b, c);
+  world.remove(c);
+  const BodyHandle d = world.add(Sphere3{{1, 0, 0}, 1}, {.user_id = 2});
+  EXPECT_EQ(world.commit().ended, begun);
+  EXPECT_EQ(world.commit().kept.at(0).b, d);
+  EXPECT_THROW(world.move(b, {}), StaleHandle);
+  EXPECT_THROW(world.remove(b), StaleHandle);
+  EXPECT_THROW(world.replace(b, Sphere3{{0, 0, 0}, 1}), StaleHandle);
+  EXPECT_THROW(world.allow_collision(a, b), StaleHandle);
+  EXPECT_THROW(world.remove(BodyHandle{}), StaleHandle);
+  EXPECT_FALSE(world.contains(b));
+  EXPECT_FALSE(world.contains(c));
+  EXPECT_TRUE(world.contains(d));
+}
+
+template <class Refusal, class Call>
+void expect_refused(const std::string& says, const Call& call) {
+  try {
+    call();
+    ADD_FAILURE() << "nothing thrown; expected: " << says;
+  } catch (const Refusal& e) {
+    EXPECT_NE(std::string(e.what()).find(says), std::string::npos) << e.what();
+  }
+}
+
+TEST(World, BadInputNamesTheBodyAndChangesNothing) {
+  World world;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const BodyHandle a = world.add(Sphere3{{0, 0, 0}, 1}, {.user_id = 41});
+  world.add(Sphere3{{1, 0, 0}, 1}, {.user_id = 42});
+  world.commit();
+  const std::vector<WorldPair> before = world.pairs();
+  expect_refused<NonFinite>("World::move: body 41", [&] { world.move(a, RigidPose{{}, {nan, 0, 0}}); });
+  expect_refused<NonFinite>("World::move: body 41", [&] { world.move(a, RigidPose{{nan, 0, 0, 0}, {0, 0, 0}}); });
+  expect_refused<InvalidShape>("World::move: body 41", [&] { world.move(a, RigidPose{{0, 0, 0, 0}, {0, 0, 0}}); });
+  expect_refused<NonFinite>("World::add: body 43", [&] { world.add(Sphere3{{nan, 0, 0}, 1}, {.user_id = 43}); });
+  expect_refused<InvalidShape>("World::replace: body 41", [&] { world.replace(a, Sphere3{{0, 0, 0}, -1}); });
+  expect_refused<Unsupported>("World::add: body 44", [&] { world.add(Circle2{{0, 0}, 1}, {.user_id = 44}); });
+  expect_refused<Unsupported>("World::add: body 45", [&] { world.add(Plane3{{0, 0, 1}, 0}, {.user_id = 45}); });
+  expect_refused<UnevenPose>("World::add: body 46", [&] {
+    world.add(Posed{Sphere3{{0, 0, 0}, 1}, Pose{}}, {.user_id = 46});
+  });
+  EXPECT_EQ(world.size(), 2U);
+  EXPECT_TRUE(world.commit().begun.empty());
+  EXPECT_EQ(world.pairs(), before);
+}
+
+}  // namespace
+}  // namespace plumb
