@@ -3,4 +3,4 @@
 // Source: docs/sections.md, chapter 2.
 #pragma once
 
-#include "plumb/world/world.hpp"  // World: which pairs meet, and what has begun and ended since the last commit
+#include "plumb/world/world.hpp"  // CollisionWorld: which pairs meet, and what has begun and ended

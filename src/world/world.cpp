@@ -66,7 +66,7 @@ Aabb3 box_of_body(const char* function, const AnyFigure& figure, std::uint64_t u
 
 }  // namespace
 
-struct World::State {
+struct CollisionWorld::State {
   MovingBoxes boxes;
   std::vector<std::optional<WorldBody>> bodies;  // by slot
   std::set<HandlePair> allowed;
@@ -123,13 +123,13 @@ struct World::State {
   }
 };
 
-World::World() : state_(std::make_unique<State>()) {}
-World::World(World&&) noexcept = default;
-World& World::operator=(World&&) noexcept = default;
-World::~World() = default;
+CollisionWorld::CollisionWorld() : state_(std::make_unique<State>()) {}
+CollisionWorld::CollisionWorld(CollisionWorld&&) noexcept = default;
+CollisionWorld& CollisionWorld::operator=(CollisionWorld&&) noexcept = default;
+CollisionWorld::~CollisionWorld() = default;
 
-BodyHandle World::add(const AnyFigure& figure, const BodyOptions& options) {
-  const Aabb3 box = box_of_body("World::add", figure, options.user_id);
+BodyHandle CollisionWorld::add(const AnyFigure& figure, const BodyOptions& options) {
+  const Aabb3 box = box_of_body("CollisionWorld::add", figure, options.user_id);
   WorldBody made{figure, options};
   const BodyHandle handle = state_->boxes.insert(box);
   if (state_->bodies.size() <= handle.slot) state_->bodies.resize(std::size_t{handle.slot} + 1);
@@ -137,30 +137,34 @@ BodyHandle World::add(const AnyFigure& figure, const BodyOptions& options) {
   return handle;
 }
 
-void World::move(const BodyHandle& body, const RigidPose& pose) {
-  WorldBody& at = state_->body("World::move", body);
-  state_->put("World::move", body, at, at.figure.under(pose));
+void CollisionWorld::move(const BodyHandle& body, const RigidPose& pose) {
+  WorldBody& at = state_->body("CollisionWorld::move", body);
+  state_->put("CollisionWorld::move", body, at, at.figure.under(pose));
 }
 
-void World::replace(const BodyHandle& body, const AnyFigure& figure) {
-  state_->put("World::replace", body, state_->body("World::replace", body), figure);
+void CollisionWorld::replace(const BodyHandle& body, const AnyFigure& figure) {
+  state_->put("CollisionWorld::replace", body, state_->body("CollisionWorld::replace", body), figure);
 }
 
-void World::remove(const BodyHandle& body) {
-  static_cast<void>(state_->body("World::remove", body));
+void CollisionWorld::remove(const BodyHandle& body) {
+  static_cast<void>(state_->body("CollisionWorld::remove", body));
   state_->boxes.remove(body);
   state_->bodies[body.slot].reset();
   std::erase_if(state_->allowed, [&](const HandlePair& p) { return p.a == body || p.b == body; });
 }
 
-bool World::contains(const BodyHandle& body) const { return state_->boxes.contains(body); }
-std::size_t World::size() const { return state_->boxes.size(); }
-const AnyFigure& World::figure(const BodyHandle& body) const { return state_->body("World::figure", body).figure; }
-const BodyOptions& World::options(const BodyHandle& body) const { return state_->body("World::options", body).options; }
+bool CollisionWorld::contains(const BodyHandle& body) const { return state_->boxes.contains(body); }
+std::size_t CollisionWorld::size() const { return state_->boxes.size(); }
+const AnyFigure& CollisionWorld::figure(const BodyHandle& body) const {
+  return state_->body("CollisionWorld::figure", body).figure;
+}
+const BodyOptions& CollisionWorld::options(const BodyHandle& body) const {
+  return state_->body("CollisionWorld::options", body).options;
+}
 
-void World::allow_collision(const BodyHandle& a, const BodyHandle& b, bool allowed) {
-  static_cast<void>(state_->body("World::allow_collision", a));
-  static_cast<void>(state_->body("World::allow_collision", b));
+void CollisionWorld::allow_collision(const BodyHandle& a, const BodyHandle& b, bool allowed) {
+  static_cast<void>(state_->body("CollisionWorld::allow_collision", a));
+  static_cast<void>(state_->body("CollisionWorld::allow_collision", b));
   if (allowed) {
     state_->allowed.insert(by_handles(a, b));
   } else {
@@ -168,12 +172,12 @@ void World::allow_collision(const BodyHandle& a, const BodyHandle& b, bool allow
   }
 }
 
-void World::keep_filter(std::shared_ptr<void> filter, AskFilter ask) {
+void CollisionWorld::keep_filter(std::shared_ptr<void> filter, AskFilter ask) {
   state_->filter = std::move(filter);
   state_->ask_filter = ask;
 }
 
-const WorldEvents& World::commit() {
+const WorldEvents& CollisionWorld::commit() {
   State& s = *state_;
   s.boxes.changes();
   std::vector<WorldPair> now;
@@ -182,7 +186,7 @@ const WorldEvents& World::commit() {
     const HandlePair pair = by_handles(p.a, p.b);
     const WorldBody &a = *s.bodies[p.a.slot], &b = *s.bodies[p.b.slot];
     const std::optional<Relation> known = s.known(pair, a, b);
-    p.relation = known ? *known : about_body("World::commit", p.id_a, [&] {
+    p.relation = known ? *known : about_body("CollisionWorld::commit", p.id_a, [&] {
       return about_body("and", p.id_b, [&] { return relate(a.figure, b.figure); });
     });
     asked.push_back({pair, p.relation});
@@ -209,9 +213,9 @@ const WorldEvents& World::commit() {
   return s.events;
 }
 
-const std::vector<WorldPair>& World::pairs() const { return state_->pairs; }
+const std::vector<WorldPair>& CollisionWorld::pairs() const { return state_->pairs; }
 
-std::vector<BodyHandle> World::overlaps(const AnyFigure& figure, std::uint32_t mask) const {
+std::vector<BodyHandle> CollisionWorld::overlaps(const AnyFigure& figure, std::uint32_t mask) const {
   std::vector<BodyHandle> found;
   for (const BodyHandle& handle : state_->boxes.in_box(query::any_fit_aabb(figure))) {
     const WorldBody& body = *state_->bodies[handle.slot];

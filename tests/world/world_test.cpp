@@ -108,7 +108,7 @@ void expect_events(const WorldEvents& events, const Meetings& before, const Meet
   for (const auto& [ids, r] : now) ++(r == Relation::touching ? counts.touching : counts.overlapping);
 }
 
-void add_body(World& world, ByEachPair& all, std::uint64_t id, Entropy& e) {
+void add_body(CollisionWorld& world, ByEachPair& all, std::uint64_t id, Entropy& e) {
   const BodyOptions options{std::uint32_t(1 + e.below(3)), e.below(4) == 0 ? 1U : 0xffffffffU, id};
   AnyFigure figure = drawn_figure(e);
   if (e.coin()) figure = figure.under(drawn_pose(e));
@@ -120,7 +120,8 @@ Known& drawn_body(ByEachPair& all, Entropy& e) {
   return std::next(all.bodies.begin(), std::ptrdiff_t(e.below(all.bodies.size())))->second;
 }
 
-void change(World& world, ByEachPair& all, std::uint64_t& next_id, std::vector<BodyHandle>& stale, Entropy& e) {
+void change(CollisionWorld& world, ByEachPair& all, std::uint64_t& next_id, std::vector<BodyHandle>& stale,
+            Entropy& e) {
   const std::uint64_t what = e.below(8);
   if (all.bodies.size() < 5 || what == 0) return add_body(world, all, next_id++, e);
   Known& body = drawn_body(all, e);
@@ -150,7 +151,7 @@ void change(World& world, ByEachPair& all, std::uint64_t& next_id, std::vector<B
   }
 }
 
-void expect_overlaps(const World& world, const ByEachPair& all, const AnyFigure& region) {
+void expect_overlaps(const CollisionWorld& world, const ByEachPair& all, const AnyFigure& region) {
   std::vector<BodyHandle> expected;
   for (const auto& [id, body] : all.bodies) {
     if ((body.options.group & 2) != 0 && intersects(body.figure, region)) expected.push_back(body.handle);
@@ -158,11 +159,11 @@ void expect_overlaps(const World& world, const ByEachPair& all, const AnyFigure&
   EXPECT_EQ(world.overlaps(region, 2), expected);
 }
 
-TEST(World, ReplaysAsAskingEachPair) {
+TEST(CollisionWorld, ReplaysAsAskingEachPair) {
   Counts counts;
   for (std::uint64_t run = 0; run < 20; ++run) {
     Entropy e(4100, run);
-    World world;
+    CollisionWorld world;
     ByEachPair all;
     std::uint64_t next_id = 1;
     std::vector<BodyHandle> stale;
@@ -199,14 +200,14 @@ TEST(World, ReplaysAsAskingEachPair) {
   }
 }
 
-TEST(World, OrderOfInsertionChangesNothing) {
+TEST(CollisionWorld, OrderOfInsertionChangesNothing) {
   for (std::uint64_t run = 0; run < 20; ++run) {
     SCOPED_TRACE("replay: Entropy(4200, " + std::to_string(run) + ")");
     Entropy e(4200, run);
     std::vector<std::pair<std::uint64_t, AnyFigure>> bodies;
     for (std::uint64_t id = 1; id <= 20; ++id) bodies.emplace_back(id, drawn_figure(e));
     const auto answers = [&bodies] {
-      World world;
+      CollisionWorld world;
       for (const auto& [id, figure] : bodies) world.add(figure, {.user_id = id});
       return as_meetings(world.commit().begun);
     };
@@ -218,8 +219,8 @@ TEST(World, OrderOfInsertionChangesNothing) {
 }
 
 // Each box rests on the one below; a step away by the least double is apart.
-TEST(World, RestingBoxesTouch) {
-  World world;
+TEST(CollisionWorld, RestingBoxesTouch) {
+  CollisionWorld world;
   std::vector<BodyHandle> boxes;
   for (int level = 0; level < 10; ++level) {
     boxes.push_back(world.add(Aabb3{{0, 0, 0.1 * level}, {1, 1, 0.1 * (level + 1)}}, {.user_id = unsigned(level)}));
@@ -234,8 +235,8 @@ TEST(World, RestingBoxesTouch) {
 }
 
 // A slot that is used again has another generation; the old pair has ended, and the new one begun.
-TEST(World, SlotsThatAreUsedAgainAreOtherBodies) {
-  World world;
+TEST(CollisionWorld, SlotsThatAreUsedAgainAreOtherBodies) {
+  CollisionWorld world;
   const BodyHandle a = world.add(Sphere3{{0, 0, 0}, 1}, {.user_id = 1});
   const BodyHandle b = world.add(Sphere3{{1, 0, 0}, 1}, {.user_id = 2});
   EXPECT_EQ(world.commit().begun.size(), 1U);
@@ -273,21 +274,29 @@ void expect_refused(const std::string& says, const Call& call) {
   }
 }
 
-TEST(World, BadInputNamesTheBodyAndChangesNothing) {
-  World world;
+TEST(CollisionWorld, BadInputNamesTheBodyAndChangesNothing) {
+  CollisionWorld world;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const BodyHandle a = world.add(Sphere3{{0, 0, 0}, 1}, {.user_id = 41});
   world.add(Sphere3{{1, 0, 0}, 1}, {.user_id = 42});
   world.commit();
   const std::vector<WorldPair> before = world.pairs();
-  expect_refused<NonFinite>("World::move: body 41", [&] { world.move(a, RigidPose{{}, {nan, 0, 0}}); });
-  expect_refused<NonFinite>("World::move: body 41", [&] { world.move(a, RigidPose{{nan, 0, 0, 0}, {0, 0, 0}}); });
-  expect_refused<InvalidShape>("World::move: body 41", [&] { world.move(a, RigidPose{{0, 0, 0, 0}, {0, 0, 0}}); });
-  expect_refused<NonFinite>("World::add: body 43", [&] { world.add(Sphere3{{nan, 0, 0}, 1}, {.user_id = 43}); });
-  expect_refused<InvalidShape>("World::replace: body 41", [&] { world.replace(a, Sphere3{{0, 0, 0}, -1}); });
-  expect_refused<Unsupported>("World::add: body 44", [&] { world.add(Circle2{{0, 0}, 1}, {.user_id = 44}); });
-  expect_refused<Unsupported>("World::add: body 45", [&] { world.add(Plane3{{0, 0, 1}, 0}, {.user_id = 45}); });
-  expect_refused<UnevenPose>("World::add: body 46", [&] {
+  expect_refused<NonFinite>("CollisionWorld::move: body 41", [&] { world.move(a, RigidPose{{}, {nan, 0, 0}}); });
+  expect_refused<NonFinite>("CollisionWorld::move: body 41", [&] {
+    world.move(a, RigidPose{{nan, 0, 0, 0}, {0, 0, 0}});
+  });
+  expect_refused<InvalidShape>("CollisionWorld::move: body 41", [&] {
+    world.move(a, RigidPose{{0, 0, 0, 0}, {0, 0, 0}});
+  });
+  expect_refused<NonFinite>("CollisionWorld::add: body 43", [&] {
+    world.add(Sphere3{{nan, 0, 0}, 1}, {.user_id = 43});
+  });
+  expect_refused<InvalidShape>("CollisionWorld::replace: body 41", [&] { world.replace(a, Sphere3{{0, 0, 0}, -1}); });
+  expect_refused<Unsupported>("CollisionWorld::add: body 44", [&] { world.add(Circle2{{0, 0}, 1}, {.user_id = 44}); });
+  expect_refused<Unsupported>("CollisionWorld::add: body 45", [&] {
+    world.add(Plane3{{0, 0, 1}, 0}, {.user_id = 45});
+  });
+  expect_refused<UnevenPose>("CollisionWorld::add: body 46", [&] {
     world.add(Posed{Sphere3{{0, 0, 0}, 1}, Pose{}}, {.user_id = 46});
   });
   EXPECT_EQ(world.size(), 2U);

@@ -1,16 +1,16 @@
 // Which bodies of a scene meet, and what has begun and ended since the last look?
 //
-//   World world;
+//   CollisionWorld world;
 //   const BodyHandle ball = world.add(Sphere3{{0, 0, 0}, 1}, {.user_id = 7});
 //   world.add(Posed{box, RigidPose{{1, 0, 0, 1}, {2, 0, 0}}}, {.user_id = 8});
 //   world.move(ball, RigidPose{{}, {1, 0, 0}});
 //   const WorldEvents& now = world.commit();    // now.begun, now.kept, now.ended
 //   world.overlaps(region)                      // of the bodies as they stand now
 //
-// Laws: (1) after commit() pairs() are exactly the pairs whose relate is not disjoint and that no filter leaves out, as if
-// each pair were asked.  (2) begun, kept and ended are what these and those of the commit before differ by; a pair of a
-// body that was removed has ended.  (3) Answers ascend by user ids, and where these are equal by handles; where user ids
-// differ, the order of insertion changes nothing but handles.  (4) A handle names one body for ever; its slot is used
+// Laws: (1) after commit() pairs() are exactly the pairs whose relate is not disjoint and that no filter leaves out, as
+// if each pair were asked.  (2) begun, kept and ended are what these and those of the commit before differ by; a pair of a
+// body that was removed has ended.  (3) Answers ascend by user ids, and where these are equal by handles; where user
+// ids differ, the order of insertion changes nothing but handles.  (4) A handle names one body for ever; its slot is used
 // again with another generation.  (5) What throws leaves the world as it was.
 // A handle of a body that was removed, or of none, throws StaleHandle.  NonFinite and InvalidShape name the body by its
 // user id; Unsupported refuses a figure of the plane or without an end, UnevenPose one under a matrix.
@@ -56,12 +56,12 @@ struct WorldEvents {
   std::vector<WorldPair> begun, kept, ended;
 };
 
-class World {
+class CollisionWorld {
  public:
-  World();
-  World(World&&) noexcept;
-  World& operator=(World&&) noexcept;
-  ~World();
+  CollisionWorld();
+  CollisionWorld(CollisionWorld&&) noexcept;
+  CollisionWorld& operator=(CollisionWorld&&) noexcept;
+  ~CollisionWorld();
 
   /// A bounded figure of space, as it stands or under a rigid pose or a chain of them.
   BodyHandle add(const AnyFigure& figure, const BodyOptions& options = {});
@@ -78,8 +78,8 @@ class World {
 
   /// May these two collide without being told?  A row of the allowed-collision matrix; none is allowed at first.
   void allow_collision(const BodyHandle& a, const BodyHandle& b, bool allowed = true);
-  /// Pairs of which filter(a, b), two handles, is false are left out, from the next commit on.  Each is asked in the order
-  /// of WorldPair, once a commit; the filter may ask the world and not change it.
+  /// Pairs of which filter(a, b), two handles, is false are left out, from the next commit on.  Each is asked in the
+  /// order of WorldPair, once a commit; the filter may ask the world and not change it.
   template <class Filter>
   requires requires(Filter& filter, const BodyHandle& a, const BodyHandle& b) { bool(filter(a, b)); }
   void set_filter(Filter filter) {
