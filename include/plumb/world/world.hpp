@@ -8,10 +8,10 @@
 //   world.overlaps(region)                      // of the bodies as they stand now
 //
 // Laws: (1) after commit() pairs() are exactly the pairs whose relate is not disjoint and that no filter leaves out, as
-// if each pair were asked.  (2) begun, kept and ended are what these and those of the commit before differ by; a pair of a
-// body that was removed has ended.  (3) Answers ascend by user ids, and where these are equal by handles; where user
-// ids differ, the order of insertion changes nothing but handles.  (4) A handle names one body for ever; its slot is used
-// again with another generation.  (5) What throws leaves the world as it was.
+// if each pair were asked.  (2) begun, kept and ended are what these and those of the commit before differ by; a pair of
+// a body that was removed has ended.  (3) Answers ascend by user ids, and where these are equal by handles; where user
+// ids differ, the order of insertion changes nothing but handles.  (4) A handle names one body for ever; its slot is
+// used again with another generation.  (5) What throws leaves the world as it was.
 // A handle of a body that was removed, or of none, throws StaleHandle.  NonFinite and InvalidShape name the body by its
 // user id; Unsupported refuses a figure of the plane or without an end, UnevenPose one under a matrix.
 // Source: RTCD 2.4.1.
