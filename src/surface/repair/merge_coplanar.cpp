@@ -108,7 +108,10 @@ class CoplanarGrowth {
         tolerance_(tolerance),
         twin_(half_edges(mesh, find_edges(mesh)).twin),
         face_(mesh.triangles.size(), no_face),
-        rings_(mesh.triangles, twin_, face_) {
+        rings_(mesh.triangles, twin_, face_),
+        uses_(mesh.vertices.size()) {
+    for (const auto& corners : mesh.triangles)
+      for (const std::uint32_t v : corners) ++uses_[v];
     for (const std::uint32_t seed : seeds_of(mesh, tolerance))
       if (face_[seed] == no_face) grow(seed);
     for (GrownFace& f : faces) std::ranges::sort(f.triangles);
@@ -136,7 +139,7 @@ class CoplanarGrowth {
     }
     grown.rings = rings_.of(grown.triangles);
     for (Vertices& ring : grown.rings) surface::begin_with_first(mesh_.vertices, ring);
-    if (grown.triangles.size() > 2 && !order_rings(grown, plane)) {
+    if (grown.triangles.size() > 2 && (has_shared_midst(grown) || !order_rings(grown, plane))) {
       take_apart(grown);
     } else {
       faces.push_back(std::move(grown));
@@ -144,6 +147,21 @@ class CoplanarGrowth {
   }
 
   [[nodiscard]] std::uint32_t from(std::uint32_t h) const { return mesh_.triangles[h / 3][h % 3]; }
+
+  /// Would the polygon lose a vertex in its midst that triangles of others have?
+  [[nodiscard]] bool has_shared_midst(const GrownFace& face) const {
+    Vertices named, on_rings;
+    for (const std::uint32_t t : face.triangles)
+      named.insert(named.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
+    for (const Vertices& ring : face.rings) on_rings.insert(on_rings.end(), ring.begin(), ring.end());
+    std::ranges::sort(named), std::ranges::sort(on_rings);
+    for (auto v = named.begin(); v != named.end();) {
+      const auto end = std::upper_bound(v, named.end(), *v);
+      if (static_cast<std::uint32_t>(end - v) != uses_[*v] && !std::ranges::binary_search(on_rings, *v)) return true;
+      v = end;
+    }
+    return false;
+  }
 
   /// False where the rings are those of no polygon.
   [[nodiscard]] bool order_rings(GrownFace& face, const PlaneOfFace& plane) const {
@@ -178,6 +196,7 @@ class CoplanarGrowth {
   double tolerance_;
   Vertices twin_, face_;
   surface::RegionRings rings_;
+  Vertices uses_;  // of each vertex by triangles
 };
 
 /// Do all rings run straight through a vertex?

@@ -11,6 +11,7 @@
 #include "plumb/arith/rational.hpp"
 #include "plumb/surface/repair/repair.hpp"
 #include "plumb/surface/topology/adjacency.hpp"
+#include "plumb/surface/topology/faults.hpp"
 #include "surface/repair/meshes_alike.hpp"
 
 namespace plumb {
@@ -275,6 +276,21 @@ TEST(MergeCoplanar, RefusesWhatIsNone) {
   EXPECT_THROW(merge_coplanar(mesh, {.tolerance = NAN}), NonFinite);
   EXPECT_THROW(merge_coplanar({{{0, 0, 0}}, {{0, 1, 0}}}), InvalidShape);
   EXPECT_THROW(merge_coplanar({{{0, 0, NAN}}, {{0, 0, 0}}}), NonFinite);
+}
+
+TEST(MergeCoplanar, AVertexInTheMidstOfAFaceThatOthersHaveStays) {
+  // A square of four triangles about its center, on which another solid's tip stands, and one on which nothing does.
+  for (const bool has_tip : {true, false}) {
+    TriangleMesh mesh{
+        {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}, {0.5, 0.5, 1}, {1.5, 0.5, 1}, {1, 1.5, 1}},
+        {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+    if (has_tip) mesh.triangles.insert(mesh.triangles.end(), {{4, 6, 5}, {4, 7, 6}, {4, 5, 7}, {5, 6, 7}});
+    const CoplanarFaces faces = merge_coplanar(mesh, {.collinear = CollinearVertices::dropped});
+    EXPECT_EQ(faces.apart, has_tip ? std::vector<std::uint32_t>{0} : std::vector<std::uint32_t>{});
+    const TriangleMesh fewer = triangulated(mesh, faces);
+    EXPECT_EQ(fewer.triangles.size(), has_tip ? 8U : 2U);
+    EXPECT_FALSE(find_faults(fewer).meets_itself());
+  }
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 // exactly: with tolerance 0 it is all that is reached in that plane.  Else the large ones grow first, as far as doubles
 // tell (a guess, which hangs on the points alone).  (2) Rings run as the triangles do, so holes run the other way around.
 // They cross nowhere, and wind once around what the triangles cover; triangles that cover one another in the plane, have
-// two vertices at one place or a vertex on an edge of a ring become no polygon: each is a face of its own, and the first
-// is in `apart`.  A ring that passes a vertex twice touches itself there; a ring of two corners is both sides of one
+// two vertices at one place, a vertex on an edge of a ring, or one in their midst that triangles of other faces have,
+// become no polygon: each is a face of its own, and the first is in `apart`.  A ring that passes a vertex twice touches itself there; a ring of two corners is both sides of one
 // edge, of more than two triangles.  (3) A vertex is dropped, if
 // asked, where all rings that pass it run straight through it, exactly, between the same two neighbors; so all faces
 // agree, and no T-junction comes of it.  A triangle of exactly no area is a face of its own and keeps its corners.  (4)
