@@ -12,18 +12,6 @@
 namespace plumb {
 namespace {
 
-struct WorldBody {
-  AnyFigure figure;
-  BodyOptions options;
-  bool is_changed = true;  // since the last commit
-};
-
-/// What relate has said of a pair of boxes that overlap, for the next commit.
-struct AskedPair {
-  HandlePair pair;
-  Relation relation;
-};
-
 auto order_of(const WorldPair& p) { return std::tie(p.id_a, p.id_b, p.a, p.b); }
 bool comes_before(const WorldPair& p, const WorldPair& q) { return order_of(p) < order_of(q); }
 
@@ -67,8 +55,20 @@ Aabb3 box_of_body(const char* function, const AnyFigure& figure, std::uint64_t u
 }  // namespace
 
 struct CollisionWorld::State {
+  struct Body {
+    AnyFigure figure;
+    BodyOptions options;
+    bool is_changed = true;  // since the last commit
+  };
+
+  /// What relate has said of a pair of boxes that overlap, for the next commit.
+  struct AskedPair {
+    HandlePair pair;
+    Relation relation;
+  };
+
   MovingBoxes boxes;
-  std::vector<std::optional<WorldBody>> bodies;  // by slot
+  std::vector<std::optional<Body>> bodies;  // by slot
   std::set<HandlePair> allowed;
   std::shared_ptr<void> filter;
   AskFilter ask_filter = nullptr;
@@ -76,19 +76,19 @@ struct CollisionWorld::State {
   std::vector<WorldPair> pairs;
   WorldEvents events;
 
-  [[nodiscard]] const WorldBody& body(const char* function, const BodyHandle& handle) const {
+  [[nodiscard]] const Body& body(const char* function, const BodyHandle& handle) const {
     if (!boxes.contains(handle)) {
       throw StaleHandle(std::string(function) + ": no body has slot " + std::to_string(handle.slot) +
                         " and generation " + std::to_string(handle.generation) + "; was it removed?");
     }
     return *bodies[handle.slot];
   }
-  [[nodiscard]] WorldBody& body(const char* function, const BodyHandle& handle) {
+  [[nodiscard]] Body& body(const char* function, const BodyHandle& handle) {
     static_cast<void>(std::as_const(*this).body(function, handle));
     return *bodies[handle.slot];
   }
 
-  void put(const char* function, const BodyHandle& handle, WorldBody& at, const AnyFigure& figure) {
+  void put(const char* function, const BodyHandle& handle, Body& at, const AnyFigure& figure) {
     const Aabb3 box = box_of_body(function, figure, at.options.user_id);
     boxes.move(handle, box);
     at.figure = figure;
@@ -96,7 +96,7 @@ struct CollisionWorld::State {
   }
 
   /// What relate said at the last commit, where both bodies are as they were.
-  [[nodiscard]] std::optional<Relation> known(const HandlePair& pair, const WorldBody& a, const WorldBody& b) const {
+  [[nodiscard]] std::optional<Relation> known(const HandlePair& pair, const Body& a, const Body& b) const {
     if (a.is_changed || b.is_changed) return {};
     const auto at = std::lower_bound(asked.begin(), asked.end(), pair,
                                      [](const AskedPair& x, const HandlePair& p) { return x.pair < p; });
@@ -130,7 +130,7 @@ CollisionWorld::~CollisionWorld() = default;
 
 BodyHandle CollisionWorld::add(const AnyFigure& figure, const BodyOptions& options) {
   const Aabb3 box = box_of_body("CollisionWorld::add", figure, options.user_id);
-  WorldBody made{figure, options};
+  State::Body made{figure, options};
   const BodyHandle handle = state_->boxes.insert(box);
   if (state_->bodies.size() <= handle.slot) state_->bodies.resize(std::size_t{handle.slot} + 1);
   state_->bodies[handle.slot] = std::move(made);
@@ -138,7 +138,7 @@ BodyHandle CollisionWorld::add(const AnyFigure& figure, const BodyOptions& optio
 }
 
 void CollisionWorld::move(const BodyHandle& body, const RigidPose& pose) {
-  WorldBody& at = state_->body("CollisionWorld::move", body);
+  State::Body& at = state_->body("CollisionWorld::move", body);
   state_->put("CollisionWorld::move", body, at, at.figure.under(pose));
 }
 
@@ -181,10 +181,10 @@ const WorldEvents& CollisionWorld::commit() {
   State& s = *state_;
   s.boxes.changes();
   std::vector<WorldPair> now;
-  std::vector<AskedPair> asked;
+  std::vector<State::AskedPair> asked;
   for (WorldPair& p : s.candidates()) {
     const HandlePair pair = by_handles(p.a, p.b);
-    const WorldBody &a = *s.bodies[p.a.slot], &b = *s.bodies[p.b.slot];
+    const State::Body &a = *s.bodies[p.a.slot], &b = *s.bodies[p.b.slot];
     const std::optional<Relation> known = s.known(pair, a, b);
     p.relation = known ? *known : about_body("CollisionWorld::commit", p.id_a, [&] {
       return about_body("and", p.id_b, [&] { return relate(a.figure, b.figure); });
@@ -192,7 +192,8 @@ const WorldEvents& CollisionWorld::commit() {
     asked.push_back({pair, p.relation});
     if (p.relation != Relation::disjoint) now.push_back(p);
   }
-  std::sort(asked.begin(), asked.end(), [](const AskedPair& x, const AskedPair& y) { return x.pair < y.pair; });
+  std::sort(asked.begin(), asked.end(),
+            [](const State::AskedPair& x, const State::AskedPair& y) { return x.pair < y.pair; });
 
   WorldEvents events;
   auto before = s.pairs.begin();
@@ -207,7 +208,7 @@ const WorldEvents& CollisionWorld::commit() {
   s.pairs = std::move(now);
   s.asked = std::move(asked);
   s.events = std::move(events);
-  for (std::optional<WorldBody>& body : s.bodies) {
+  for (std::optional<State::Body>& body : s.bodies) {
     if (body) body->is_changed = false;
   }
   return s.events;
@@ -218,7 +219,7 @@ const std::vector<WorldPair>& CollisionWorld::pairs() const { return state_->pai
 std::vector<BodyHandle> CollisionWorld::overlaps(const AnyFigure& figure, std::uint32_t mask) const {
   std::vector<BodyHandle> found;
   for (const BodyHandle& handle : state_->boxes.in_box(query::any_fit_aabb(figure))) {
-    const WorldBody& body = *state_->bodies[handle.slot];
+    const State::Body& body = *state_->bodies[handle.slot];
     if ((body.options.group & mask) != 0 && intersects(body.figure, figure)) found.push_back(handle);
   }
   std::stable_sort(found.begin(), found.end(), [&](const BodyHandle& a, const BodyHandle& b) {
