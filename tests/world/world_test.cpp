@@ -304,5 +304,27 @@ TEST(CollisionWorld, BadInputNamesTheBodyAndChangesNothing) {
   EXPECT_EQ(world.pairs(), before);
 }
 
+TEST(CollisionWorld, AFilterThatThrowsChangesNothing) {
+  CollisionWorld world;
+  const BodyHandle floor = world.add(Aabb3{{-1, -1, -1}, {1, 1, 0}}, {.user_id = 1});
+  const BodyHandle crate = world.add(Aabb3{{0, 0, 0}, {1, 1, 1}}, {.user_id = 2});
+  ASSERT_EQ(world.commit().begun.size(), 1U);
+  world.add(Sphere3{{0, 0, 2}, 1}, {.user_id = 3});
+  world.move(crate, RigidPose{{}, {0, 0, 0x1p-40}});
+  world.set_filter([](const BodyHandle&, const BodyHandle&) -> bool { throw Unsupported("not today"); });
+  EXPECT_THROW(world.commit(), Unsupported);
+  ASSERT_EQ(world.pairs().size(), 1U);
+  EXPECT_EQ(world.pairs()[0].relation, Relation::touching);
+  world.clear_filter();
+  const WorldEvents& now = world.commit();
+  ASSERT_EQ(now.ended.size(), 1U);
+  EXPECT_EQ(now.ended[0].a, floor);
+  ASSERT_EQ(now.begun.size(), 1U);
+  EXPECT_EQ(now.begun[0].id_b, 3U);
+  CollisionWorld moved = std::move(world);
+  EXPECT_EQ(moved.size(), 3U);
+  EXPECT_EQ(moved.commit().kept.size(), 1U);
+}
+
 }  // namespace
 }  // namespace plumb
