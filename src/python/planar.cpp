@@ -8,6 +8,7 @@
 #include "python/figure_members.hpp"
 #include "python/fractions.hpp"
 #include "python/mesh.hpp"
+#include "python/named.hpp"
 #include "python/rooms.hpp"
 #include "python/unlocked.hpp"
 
@@ -15,10 +16,9 @@ namespace plumb::python {
 namespace {
 
 WindingRule rule_named(const std::string& rule, const char* function) {
-  if (rule == "odd") return WindingRule::odd;
-  if (rule == "nonzero") return WindingRule::nonzero;
-  if (rule == "positive") return WindingRule::positive;
-  throw py::value_error(std::string(function) + ": rule is '" + rule + "'; give 'odd', 'nonzero' or 'positive'");
+  return named<WindingRule>(
+      {function, "rule"}, rule,
+      {{"odd", WindingRule::odd}, {"nonzero", WindingRule::nonzero}, {"positive", WindingRule::positive}});
 }
 
 [[noreturn]] void refuse_polygon(const char* function, const char* kinds) {

@@ -6,6 +6,7 @@
 #include "python/figure_members.hpp"
 #include "python/fractions.hpp"
 #include "python/mesh.hpp"
+#include "python/named.hpp"
 #include "python/rooms.hpp"
 #include "python/unlocked.hpp"
 
@@ -133,12 +134,11 @@ py::list contours_of(const Section& cut) {
 }
 
 py::list cut(const TriangleMesh& mesh, const py::object& planes, const std::string& on_plane) {
-  if (on_plane != "above" && on_plane != "below")
-    throw py::value_error("sections: on_plane is '" + on_plane + "'; give 'above' or 'below'");
+  const auto side =
+      named<OnPlane>({"sections", "on_plane"}, on_plane, {{"above", OnPlane::above}, {"below", OnPlane::below}});
   std::vector<AnyPlane3> all;
   for (const py::handle& plane : py::iter(planes)) all.push_back(plane_of_python(plane));
-  const std::vector<Section> found =
-      unlocked([&] { return sections(mesh, all, on_plane == "above" ? OnPlane::above : OnPlane::below); });
+  const std::vector<Section> found = unlocked([&] { return sections(mesh, all, side); });
   py::list shown;
   for (const Section& one : found) shown.append(contours_of(one));
   return shown;

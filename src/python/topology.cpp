@@ -5,28 +5,12 @@
 #include "plumb/surface/topology/components.hpp"
 #include "python/fractions.hpp"
 #include "python/mesh.hpp"
+#include "python/named.hpp"
 #include "python/rooms.hpp"
 #include "python/unlocked.hpp"
 
 namespace plumb::python {
 namespace {
-
-/// The value that a word stands for; the error names the words there are.
-template <class Value, std::size_t n>
-Value named(const Asked& asked, const std::string& word, const std::pair<std::string_view, Value> (&words)[n]) {
-  std::string names;
-  for (const auto& [name, value] : words) {
-    if (word == name) return value;
-    names.append(names.empty() ? "" : " or ").append("'").append(name).append("'");
-  }
-  throw py::value_error(std::string(asked.function)
-                            .append(": ")
-                            .append(asked.argument)
-                            .append(" is '")
-                            .append(word)
-                            .append("'; give ")
-                            .append(names));
-}
 
 py::array_t<std::int32_t> components_of(const TriangleMesh& mesh, const std::string& over) {
   const auto by = named<JoinedOver>({"components", "over"}, over,

@@ -90,8 +90,9 @@ struct CollisionWorld::State {
 
   void put(const char* function, const BodyHandle& handle, Body& at, const AnyFigure& figure) {
     const Aabb3 box = box_of_body(function, figure, at.options.user_id);
+    AnyFigure copy = figure;
     boxes.move(handle, box);
-    at.figure = figure;
+    at.figure = std::move(copy);
     at.is_changed = true;
   }
 
@@ -132,7 +133,12 @@ BodyHandle CollisionWorld::add(const AnyFigure& figure, const BodyOptions& optio
   const Aabb3 box = box_of_body("CollisionWorld::add", figure, options.user_id);
   State::Body made{figure, options};
   const BodyHandle handle = state_->boxes.insert(box);
-  if (state_->bodies.size() <= handle.slot) state_->bodies.resize(std::size_t{handle.slot} + 1);
+  try {
+    if (state_->bodies.size() <= handle.slot) state_->bodies.resize(std::size_t{handle.slot} + 1);
+  } catch (...) {  // memory has run out: the box has no body
+    state_->boxes.remove(handle);
+    throw;
+  }
   state_->bodies[handle.slot] = std::move(made);
   return handle;
 }

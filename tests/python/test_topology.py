@@ -53,7 +53,7 @@ def test_components_are_those_of_union():
             assert plumb.components(mesh, over).tolist() == expected
             several += max(expected) > 0
     assert several > 100
-    with pytest.raises(ValueError, match="'manifold-edges' or 'edges' or 'vertices'"):
+    with pytest.raises(ValueError, match="'manifold-edges', 'edges' or 'vertices'"):
         plumb.components(cube(), "faces")
 
 

@@ -171,6 +171,11 @@ class PieceMerger {
 
 }  // namespace
 
-ExactMesh merge_pieces(const ExactMesh& mesh) { return PieceMerger(mesh).run(); }
+ExactMesh merge_pieces(const ExactMesh& mesh) {
+  if (mesh.sources.size() != mesh.triangles.size())
+    throw UnequalLengths("merge_pieces: there are " + std::to_string(mesh.sources.size()) + " sources of " +
+                         std::to_string(mesh.triangles.size()) + " triangles; give one for each");
+  return PieceMerger(mesh).run();
+}
 
 }  // namespace plumb

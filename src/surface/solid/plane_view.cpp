@@ -25,7 +25,7 @@ ExactPoint2 shadow(const ExactPoint3& p, int axis) {
   return axis == 0 ? RationalPoint2{exact.y, exact.z} : RationalPoint2{exact.z, exact.x};
 }
 
-// A guess.
+// This is a guess; who takes an axis of it asks for the turn along it.
 std::array<int, 3> guessed_axes(const std::array<Point3, 3>& p) {
   std::array<double, 3> size{};
   for (int axis = 0; axis < 3; ++axis) {

@@ -120,6 +120,12 @@ TEST(MergePieces, AHoleThroughABlock) {
   EXPECT_EQ(drilled.triangles.size(), 32U);  // twice 8 + 2 - 2 around the hole, and eight rectangles
 }
 
+TEST(MergePieces, ATriangleWithoutASourceIsRefused) {
+  ExactMesh mesh = resolve(box({0, 0, 0}, {1, 1, 1}));
+  mesh.sources.pop_back();
+  EXPECT_THROW(merge_pieces(mesh), UnequalLengths);
+}
+
 TEST(MergePieces, NothingIsMergedWhereNothingLiesInOnePlane) {
   const TriangleMesh a{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   const ExactMesh one = resolve(a);

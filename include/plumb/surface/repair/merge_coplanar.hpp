@@ -12,8 +12,8 @@
 // tell (a guess, which hangs on the points alone).  (2) Rings run as the triangles do, so holes run the other way around.
 // They cross nowhere, and wind once around what the triangles cover; triangles that cover one another in the plane, have
 // two vertices at one place, a vertex on an edge of a ring, or one in their midst that triangles of other faces have,
-// become no polygon: each is a face of its own, and the first is in `apart`.  A ring that passes a vertex twice touches itself there; a ring of two corners is both sides of one
-// edge, of more than two triangles.  (3) A vertex is dropped, if
+// become no polygon: each is a face of its own, and the first is in `apart`.  A ring that passes a vertex twice touches
+// itself there; a ring of two corners is both sides of one edge, of more than two triangles.  (3) A vertex is dropped, if
 // asked, where all rings that pass it run straight through it, exactly, between the same two neighbors; so all faces
 // agree, and no T-junction comes of it.  A triangle of exactly no area is a face of its own and keeps its corners.  (4)
 // triangulated() makes of a face its constrained Delaunay triangulation, seen along that axis: n + 2 h - 2 triangles for

@@ -10,9 +10,10 @@
 // T-junction comes of it.  (4) A polygon of n corners and h holes has n + 2 h - 2 triangles, and two more for each vertex
 // in its midst: those of the constrained Delaunay triangulation seen along an axis; where there were no more, they stay
 // as they were.  (5) A new triangle's source is the least of those of its polygon.
-// A mesh whose triangles overlap in a plane, as no operation makes one, throws InvalidShape.
+// A mesh whose triangles overlap in a plane, as no operation makes one, throws InvalidShape; one without a
+// source for each triangle throws UnequalLengths.
 // Source: RTCD 2.2.1.
-// Cost: two signs an edge; n log n expected for polygons that are triangulated anew.  Bounded by n^2 signs.
+// Cost: some signs an edge; n log n expected for polygons that are triangulated anew.  Bounded by n^2 signs.
 #pragma once
 
 #include "plumb/surface/solid/exact_mesh.hpp"
