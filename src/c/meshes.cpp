@@ -7,7 +7,6 @@
 #include "plumb/surface/file/write_mesh.hpp"
 #include "plumb/surface/repair/repair.hpp"
 #include "plumb/surface/solid/boolean.hpp"
-#include "plumb/surface/solid/merge_pieces.hpp"
 #include "plumb/surface/solid/round.hpp"
 #include "plumb/surface/topology/faults.hpp"
 
@@ -17,19 +16,22 @@ using c::guarded, c::need, c::need_size;
 namespace {
 
 ExactMesh combined(int operation, std::span<const TriangleMesh> meshes) {
-  switch (operation) {
+  constexpr auto rule = WindingRule::positive;
+  const bool merges = (operation & PLUMB_MERGE_PIECES) != 0;
+  const Pieces pieces = merges ? Pieces::of_polygons : Pieces::of_triangles;
+  switch (operation & ~PLUMB_MERGE_PIECES) {
     case PLUMB_UNITE:
-      return unite(meshes);
+      return unite(meshes, rule, pieces);
     case PLUMB_INTERSECT:
-      return intersect(meshes);
+      return intersect(meshes, rule, pieces);
     case PLUMB_SUBTRACT:
-      return subtract(meshes);
+      return subtract(meshes, rule, pieces);
     case PLUMB_SYMMETRIC_DIFFERENCE:
-      return symmetric_difference(meshes);
+      return symmetric_difference(meshes, rule, pieces);
     default:
       break;
   }
-  throw c::InvalidArgument("operation " + std::to_string(operation) + " is none");
+  throw c::InvalidArgument("operation " + std::to_string(operation & ~PLUMB_MERGE_PIECES) + " is none");
 }
 
 }  // namespace
@@ -145,9 +147,7 @@ plumb_status plumb_mesh_combine(int operation, const plumb_mesh* const* meshes, 
       need(meshes[i], "a mesh");
       solids.push_back(meshes[i]->mesh);
     }
-    ExactMesh exact = combined(operation & ~PLUMB_MERGE_PIECES, solids);
-    if ((operation & PLUMB_MERGE_PIECES) != 0) exact = merge_pieces(exact);
-    RoundedMesh rounded = round(exact);
+    RoundedMesh rounded = round(combined(operation, solids));
     *result = new plumb_mesh{std::move(rounded.mesh)};
     if (report != nullptr) c::write(report, plumb_solid_report{0, rounded.sound, rounded.moved});
   });

@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include "plumb/surface/solid/boolean.hpp"
-#include "plumb/surface/solid/merge_pieces.hpp"
 #include "plumb/surface/solid/round.hpp"
 #include "python/figure_members.hpp"
 #include "python/fractions.hpp"
@@ -12,7 +11,7 @@
 namespace plumb::python {
 namespace {
 
-using Operation = ExactMesh (*)(std::span<const TriangleMesh>, WindingRule);
+using Operation = ExactMesh (*)(std::span<const TriangleMesh>, WindingRule, Pieces);
 
 py::object combined(const char* name, Operation operation, const py::args& meshes, bool merge) {
   std::vector<TriangleMesh> solids;
@@ -21,8 +20,7 @@ py::object combined(const char* name, Operation operation, const py::args& meshe
     solids.push_back(mesh.cast<const TriangleMesh&>());
   }
   RoundedMesh r = unlocked([&] {
-    const ExactMesh exact = operation(solids, WindingRule::positive);
-    return round(merge ? merge_pieces(exact) : exact);
+    return round(operation(solids, WindingRule::positive, merge ? Pieces::of_polygons : Pieces::of_triangles));
   });
   std::vector<std::int32_t> sources;
   for (const SourceFace& f : r.sources)

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "surface/solid/facet_list.hpp"
+#include "surface/solid/joined_faces.hpp"
 
 namespace plumb {
 namespace {
@@ -42,8 +43,9 @@ void add_sources(const FacePool& pool, std::span<const surface::CoveringFace> co
 
 }  // namespace
 
-Arrangement arrange(std::span<const TriangleMesh> meshes) {
-  const FacePool pool = surface::pool_faces(meshes);
+Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces) {
+  FacePool pool = surface::pool_faces(meshes);
+  if (pieces == Pieces::of_polygons) pool = surface::join_coplanar_faces(std::move(pool));
   PointTable table(pool.mesh.vertices);
   const auto classes = surface::find_plane_classes(pool, table);
   const FacetList list = surface::divide_planes(pool, table, classes);

@@ -28,12 +28,13 @@ SourceFace source_of(std::span<const FacetSource> sources, bool opposite) {
 }
 
 template <class Combine>
-ExactMesh combined(std::span<const TriangleMesh> meshes, WindingRule rule, const Combine& combine) {
-  return solid_where(meshes, [&](std::span<const std::int32_t> windings) {
+ExactMesh combined(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces, const Combine& combine) {
+  const auto is_inside = [&](std::span<const std::int32_t> windings) {
     std::size_t inside = 0;
     for (const std::int32_t w : windings) inside += is_in(w, rule) ? 1 : 0;
     return combine(inside, !windings.empty() && is_in(windings[0], rule));
-  });
+  };
+  return solid_where(meshes, is_inside, pieces);
 }
 
 }  // namespace
@@ -54,35 +55,38 @@ ExactMesh solid_of(const Arrangement& arrangement, std::span<const std::uint8_t>
   return surface::mesh_in_order(arrangement.vertices, std::move(kept));
 }
 
-ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule) { return unite(std::span(&mesh, 1), rule); }
-
-ExactMesh unite(std::span<const TriangleMesh> meshes, WindingRule rule) {
-  return combined(meshes, rule, [](std::size_t inside, bool) { return inside != 0; });
+ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule, Pieces pieces) {
+  return unite(std::span(&mesh, 1), rule, pieces);
 }
 
-ExactMesh intersect(std::span<const TriangleMesh> meshes, WindingRule rule) {
-  return combined(meshes, rule, [&](std::size_t inside, bool) { return inside != 0 && inside == meshes.size(); });
+ExactMesh unite(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
+  return combined(meshes, rule, pieces, [](std::size_t inside, bool) { return inside != 0; });
 }
 
-ExactMesh subtract(std::span<const TriangleMesh> meshes, WindingRule rule) {
-  return combined(meshes, rule, [](std::size_t inside, bool in_first) { return in_first && inside == 1; });
+ExactMesh intersect(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
+  return combined(meshes, rule, pieces,
+                  [&](std::size_t inside, bool) { return inside != 0 && inside == meshes.size(); });
 }
 
-ExactMesh symmetric_difference(std::span<const TriangleMesh> meshes, WindingRule rule) {
-  return combined(meshes, rule, [](std::size_t inside, bool) { return inside % 2 != 0; });
+ExactMesh subtract(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
+  return combined(meshes, rule, pieces, [](std::size_t inside, bool in_first) { return in_first && inside == 1; });
 }
 
-ExactMesh unite(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
-  return unite(std::vector{a, b}, rule);
+ExactMesh symmetric_difference(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
+  return combined(meshes, rule, pieces, [](std::size_t inside, bool) { return inside % 2 != 0; });
 }
-ExactMesh intersect(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
-  return intersect(std::vector{a, b}, rule);
+
+ExactMesh unite(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
+  return unite(std::vector{a, b}, rule, pieces);
 }
-ExactMesh subtract(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
-  return subtract(std::vector{a, b}, rule);
+ExactMesh intersect(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
+  return intersect(std::vector{a, b}, rule, pieces);
 }
-ExactMesh symmetric_difference(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule) {
-  return symmetric_difference(std::vector{a, b}, rule);
+ExactMesh subtract(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
+  return subtract(std::vector{a, b}, rule, pieces);
+}
+ExactMesh symmetric_difference(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
+  return symmetric_difference(std::vector{a, b}, rule, pieces);
 }
 
 }  // namespace plumb

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "arith/shortest_decimal.hpp"
 #include "plumb/arith/error.hpp"
@@ -65,11 +66,6 @@ std::vector<std::vector<std::uint32_t>> pool_vertices(std::span<const TriangleMe
   }
   return number;
 }
-
-struct PooledTriangle {
-  TriangleMesh::Triangle corners;  // ascending
-  FacetSource source;
-};
 
 /// Throws for an edge along which a mesh runs more often one way than the other.
 void require_closed(const FacePool& pool, std::span<const PooledTriangle> all) {
@@ -136,6 +132,11 @@ FacePool pool_faces(std::span<const TriangleMesh> meshes) {
     }
   }
   require_closed(pool, all);
+  add_faces(pool, std::move(all));
+  return pool;
+}
+
+void add_faces(FacePool& pool, std::vector<PooledTriangle> all) {
   std::ranges::sort(all, [](const PooledTriangle& l, const PooledTriangle& r) {
     return std::tie(l.corners, l.source) < std::tie(r.corners, r.source);
   });
@@ -152,7 +153,6 @@ FacePool pool_faces(std::span<const TriangleMesh> meshes) {
     pool.mesh.triangles.push_back(all[i].corners);
     pool.first_use.push_back(static_cast<std::uint32_t>(pool.uses.size()));
   }
-  return pool;
 }
 
 }  // namespace plumb::surface

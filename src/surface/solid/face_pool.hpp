@@ -33,4 +33,12 @@ struct FacePool {
 /// Throws as arrange does.
 FacePool pool_faces(std::span<const TriangleMesh> meshes);
 
+struct PooledTriangle {
+  TriangleMesh::Triangle corners;  // ascending
+  FacetSource source;
+};
+
+/// Adds what is left of these to a pool of vertices alone.
+void add_faces(FacePool& pool, std::vector<PooledTriangle> triangles);
+
 }  // namespace plumb::surface

@@ -5,15 +5,14 @@
 #include <utility>
 
 #include "plumb/arith/error.hpp"
-#include "surface/planar/triangulator.hpp"
 #include "surface/solid/mesh_in_order.hpp"
 #include "surface/solid/plane_view.hpp"
+#include "surface/solid/wound_triangles.hpp"
 #include "surface/topology/region_rings.hpp"
 
 namespace plumb {
 namespace {
 
-using surface::HalfEdge, surface::Triangles;
 using Numbers = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t no_polygon = std::numeric_limits<std::uint32_t>::max();
@@ -147,14 +146,11 @@ class PieceMerger {
     for (const Numbers& ring : rings)
       for (std::size_t i = 0; i < ring.size(); ++i)
         edges.push_back({place(ring[i]), place(ring[(i + 1) % ring.size()])});
-    auto made = surface::triangulator_of(std::span<const ExactPoint2>(seen));
-    if (made.constrain(edges)) return;  // what crosses is told by the number of triangles
-    const Triangles& t = made.triangles();
-    const std::vector<std::int32_t> windings = made.windings();
-    for (HalfEdge e = 0; e < t.end(); e += 4) {
-      if (windings[e / 4] != (polygon.turn == Sign::positive ? 1 : -1)) continue;
-      const auto label = [&](HalfEdge at) { return vertices[made.points().label(t.origin(at))]; };
-      TriangleMesh::Triangle triangle{label(e), label(e + 1), label(e + 2)};
+    const auto wound = surface::wound_triangles(std::span<const ExactPoint2>(seen), edges);
+    if (!wound) return;  // what crosses is told by the number of triangles
+    for (const auto& [corners, winding] : *wound) {
+      if (winding != (polygon.turn == Sign::positive ? 1 : -1)) continue;
+      TriangleMesh::Triangle triangle{vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]};
       if (polygon.turn == Sign::negative) std::swap(triangle[1], triangle[2]);
       made_.emplace_back(triangle, source);
     }

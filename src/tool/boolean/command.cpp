@@ -10,7 +10,6 @@
 #include "plumb/certify/thread_limit.hpp"
 #include "plumb/figure/measures/measures.hpp"
 #include "plumb/surface/solid/boolean.hpp"
-#include "plumb/surface/solid/merge_pieces.hpp"
 #include "surface/solid/face_pool.hpp"
 #include "tool/mesh/asked_mesh.hpp"
 #include "tool/mesh/writing_to.hpp"
@@ -29,10 +28,11 @@ WindingRule winding_rule_of(const BooleanOptions& options) {
 
 ExactMesh combined(const BooleanOptions& options, std::span<const TriangleMesh> meshes) {
   const WindingRule rule = winding_rule_of(options);
-  if (options.operation == "union") return unite(meshes, rule);
-  if (options.operation == "intersection") return intersect(meshes, rule);
-  if (options.operation == "difference") return subtract(meshes, rule);
-  return symmetric_difference(meshes, rule);
+  const Pieces pieces = options.merge ? Pieces::of_polygons : Pieces::of_triangles;
+  if (options.operation == "union") return unite(meshes, rule, pieces);
+  if (options.operation == "intersection") return intersect(meshes, rule, pieces);
+  if (options.operation == "difference") return subtract(meshes, rule, pieces);
+  return symmetric_difference(meshes, rule, pieces);
 }
 
 std::string corner_text(const Point3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
@@ -118,8 +118,7 @@ int run_boolean(const BooleanOptions& options) {
     Progress bar("boolean " + options.operation, 3);
     bar.note("combining");
     bar.advance();
-    ExactMesh exact = combined(options, meshes);
-    if (options.merge) exact = merge_pieces(exact);
+    const ExactMesh exact = combined(options, meshes);
     bar.note("rounding");
     bar.advance();
     report.result = round(exact, {.rounds = options.rounds});

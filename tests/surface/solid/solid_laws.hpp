@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -85,6 +86,39 @@ inline ExactMesh exact_mesh_of(const TriangleMesh& mesh) {
   for (const Point3& p : mesh.vertices) exact.vertices.emplace_back(p);
   exact.triangles = mesh.triangles;
   return exact;
+}
+
+inline RationalPoint3 beside(const Arrangement& all, std::size_t facet, const Rational& by) {
+  std::array<RationalPoint3, 3> t;
+  for (std::size_t k = 0; k < 3; ++k) t[k] = rational_point(all.vertices[all.facets[facet][k]]);
+  const Rational ux = t[1].x - t[0].x, uy = t[1].y - t[0].y, uz = t[1].z - t[0].z;
+  const Rational vx = t[2].x - t[0].x, vy = t[2].y - t[0].y, vz = t[2].z - t[0].z;
+  const Rational third(1, 3);
+  return {(t[0].x + t[1].x + t[2].x) * third + by * (uy * vz - uz * vy),
+          (t[0].y + t[1].y + t[2].y) * third + by * (uz * vx - ux * vz),
+          (t[0].z + t[1].z + t[2].z) * third + by * (ux * vy - uy * vx)};
+}
+
+/// How many points are on triangles that cancel is returned.
+inline std::size_t expect_windings(const std::vector<TriangleMesh>& meshes, const Arrangement& all, std::size_t every) {
+  std::size_t unlucky = 0;
+  std::vector<ExactMesh> exact;
+  for (const TriangleMesh& m : meshes) exact.push_back(exact_mesh_of(m));
+  for (std::size_t f = 0; f < all.facets.size(); f += every) {
+    for (const int side : {1, -1}) {
+      const RationalPoint3 p = beside(all, f, Rational(side) / Rational(1LL << 40));
+      const auto told = all.windings_of(side > 0 ? all.sides[f].above : all.sides[f].below);
+      for (std::size_t m = 0; m < meshes.size(); ++m) {
+        const auto by_definition = winding_by_definition(exact[m], p);
+        if (!by_definition) {  // on triangles that cancel one another
+          ++unlucky;
+          continue;
+        }
+        EXPECT_EQ(told[m], *by_definition) << "facet " << f << ", side " << side << ", mesh " << m;
+      }
+    }
+  }
+  return unlucky;
 }
 
 }  // namespace plumb::solid_laws

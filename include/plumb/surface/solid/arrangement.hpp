@@ -14,6 +14,9 @@
 // one cell, and a cell that has others in it has several.  (5) Facets, vertices and their order depend on the points
 // and the triangles' directions alone, not on the order of meshes, vertices or triangles, nor on threads; so do
 // regions, but for the order of the numbers in their windings.
+// (6) `of_polygons`: neighbors over an edge of two triangles of a mesh that lie in one plane, decided exactly, are one
+// polygon, and no edge in its midst cuts anything.  Windings are the same; a facet's source is then the least triangle of
+// its polygon, once for each time that the mesh winds around it; of laws 1 and 2 what triangles have alone is not kept.
 // A mesh that is not closed, or whose triangles run against each other, throws UnbalancedEdge, which names an edge and a
 // triangle there; a triangle that names no vertex throws InvalidShape.  NaN and infinity throw NonFinite.
 // Source: RTCD 2.2.1; Zhou, Grinspun, Zorin and Jacobson, Mesh arrangements for solid geometry, 2016; Hoffmann 1989.
@@ -75,6 +78,9 @@ struct UnbalancedEdge : InvalidShape {
   bool is_open;                // an odd number of triangles has the edge; else they run against each other
 };
 
-Arrangement arrange(std::span<const TriangleMesh> meshes);
+/// What is cut: each triangle, or the polygons that neighbors of a mesh make up in one plane?
+enum class Pieces : unsigned char { of_triangles, of_polygons };
+
+Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces = Pieces::of_triangles);
 
 }  // namespace plumb

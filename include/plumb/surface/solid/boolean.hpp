@@ -5,6 +5,7 @@
 //   const RoundedMesh rounded = round(both);       // surface/solid/round.hpp: doubles, certified
 //   subtract(a, b); intersect(a, b); symmetric_difference(a, b);
 //   unite(meshes);                                 // of many at once
+//   unite(a, b, WindingRule::positive, Pieces::of_polygons);   // merged, and faster where much lies in one plane
 //   solid_where(meshes, [](auto winding) { return winding[0] > 0 && winding[1] <= 0 && winding[2] <= 0; });
 //
 // Input: as arrange takes it, each mesh standing for the points around which it winds as the rule says: by `positive` a
@@ -16,6 +17,8 @@
 // volume(intersect) + volume(subtract), exactly.  (4) A triangle that nothing cuts stays as given, bit for bit.  (5)
 // Equal whatever the order of vertices, triangles and, where the operation allows, meshes.  No mesh, or only empty ones,
 // make an empty one.
+// `Pieces::of_polygons` is that of arrange, and what comes of it is merged (merge_pieces.hpp): the same solid, of as few
+// triangles as its polygons can have.  Law 4 is not kept by it, and a triangle's source is the least of its polygon's.
 // Refused is what arrange refuses.
 // Source: RTCD 2.2.1; Requicha 1980 (regularized operations); Zhou et al. 2016 (winding vectors).
 // Cost: that of arrange.  Bounded by n^4 signs.
@@ -25,6 +28,7 @@
 
 #include "plumb/surface/planar/triangulate_polygon.hpp"  // WindingRule
 #include "plumb/surface/solid/arrangement.hpp"
+#include "plumb/surface/solid/merge_pieces.hpp"
 
 namespace plumb {
 
@@ -40,24 +44,35 @@ ExactMesh solid_where(const Arrangement& arrangement, const Inside& inside) {
   return solid_of(arrangement, is_solid);
 }
 template <class Inside>
-ExactMesh solid_where(std::span<const TriangleMesh> meshes, const Inside& inside) {
-  return solid_where(arrange(meshes), inside);
+ExactMesh solid_where(std::span<const TriangleMesh> meshes, const Inside& inside,
+                      Pieces pieces = Pieces::of_triangles) {
+  const ExactMesh made = solid_where(arrange(meshes, pieces), inside);
+  return pieces == Pieces::of_polygons ? merge_pieces(made) : made;
 }
 
-ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule = WindingRule::positive);
+ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule = WindingRule::positive,
+                  Pieces pieces = Pieces::of_triangles);
 
 /// Keeps what is in any of them.
-ExactMesh unite(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
+ExactMesh unite(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive,
+                Pieces pieces = Pieces::of_triangles);
 /// Keeps what is in all of them.
-ExactMesh intersect(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
+ExactMesh intersect(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive,
+                    Pieces pieces = Pieces::of_triangles);
 /// Keeps what is in the first, and in none of the others.
-ExactMesh subtract(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
+ExactMesh subtract(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive,
+                   Pieces pieces = Pieces::of_triangles);
 /// Keeps what is in an odd number of them.
-ExactMesh symmetric_difference(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive);
+ExactMesh symmetric_difference(std::span<const TriangleMesh> meshes, WindingRule rule = WindingRule::positive,
+                               Pieces pieces = Pieces::of_triangles);
 
-ExactMesh unite(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive);
-ExactMesh intersect(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive);
-ExactMesh subtract(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive);
-ExactMesh symmetric_difference(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive);
+ExactMesh unite(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive,
+                Pieces pieces = Pieces::of_triangles);
+ExactMesh intersect(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive,
+                    Pieces pieces = Pieces::of_triangles);
+ExactMesh subtract(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive,
+                   Pieces pieces = Pieces::of_triangles);
+ExactMesh symmetric_difference(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive,
+                               Pieces pieces = Pieces::of_triangles);
 
 }  // namespace plumb
