@@ -1,4 +1,5 @@
-/* What does Plumb answer to a program in C, or in a language that calls C?  Signs, figures, meshes and points.
+/* What does Plumb answer to a program in C, or in a language that calls C?  Signs, figures, meshes and points;
+ * what is asked of surfaces and of the plane is in plumb_surfaces.h, which this includes.
  *
  *   plumb_figure ball = {sizeof ball, PLUMB_BALL, 3}, box = {sizeof box, PLUMB_AABB, 3};
  *   ball.as.sphere3 = (plumb_sphere3){{0, 0, 0}, 1};
@@ -377,5 +378,7 @@ plumb_status plumb_points_within(const plumb_points* tree, const double* query, 
 #ifdef __cplusplus
 }
 #endif
+
+#include "plumb/plumb_surfaces.h"
 
 #endif

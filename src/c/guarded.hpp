@@ -41,6 +41,13 @@ inline void need(const void* array, std::size_t count, const char* argument) {
   if (count != 0) need(array, argument);
 }
 
+/// A choice comes as an int, and is one of those from 0 to the last.
+inline void need_choice(int given, int last, const char* argument) {
+  if (given >= 0 && given <= last) return;
+  throw InvalidArgument(std::string(argument) + " " + std::to_string(given) + " is none of 0 to " +
+                        std::to_string(last));
+}
+
 /// Is the size that a caller says one that this version knows?
 template <class Struct>
 void need_size(const Struct* given, const char* argument) {

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <filesystem>
 
+#include "c/faults.hpp"
 #include "c/handles.hpp"
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
 #include "plumb/surface/repair/repair.hpp"
 #include "plumb/surface/solid/boolean.hpp"
 #include "plumb/surface/solid/round.hpp"
-#include "plumb/surface/topology/faults.hpp"
 
 using namespace plumb;
 using c::guarded, c::need, c::need_size;
@@ -109,22 +109,7 @@ plumb_status plumb_mesh_faults(const plumb_mesh* mesh, const plumb_progress* pro
     need(mesh, "mesh");
     need_size(faults, "faults");
     const SurfaceFaults found = find_faults(mesh->mesh, {.progress = c::progress_of(progress)});
-    plumb_faults out{};
-    out.is_sound = !found.any();
-    out.closed = found.closed;
-    out.oriented = found.oriented;
-    out.touching_pairs = found.met.touching;
-    out.overlapping_pairs = found.met.overlapping;
-    out.degenerate_triangles = found.degenerate;
-    out.repeated_vertices = found.repeated_vertices;
-    out.shells = found.shells.size();
-    out.inside_out_shells = found.inside_out_shells;
-    out.open_edges = found.open_edges;
-    out.non_manifold_edges = found.non_manifold_edges;
-    out.non_manifold_vertices = found.non_manifold_vertices;
-    out.vertices_on_edges = found.vertices_on_edges;
-    out.duplicate_triangles = found.duplicate_triangles;
-    c::write(faults, out);
+    c::write(faults, c::told_faults(found));
   });
 }
 

@@ -1,5 +1,5 @@
 """The C interface from another language, by its declarations alone: Python's ctypes.  Arguments: the shared library, its
-header.  Every function that the header declares is there, and nothing else is."""
+headers.  Every function that they declare is there, and nothing else is."""
 
 import ctypes
 import re
@@ -8,8 +8,10 @@ import sys
 
 lib = ctypes.CDLL(sys.argv[1])
 lib.plumb_last_error.restype = ctypes.c_char_p
-with open(sys.argv[2], encoding="utf-8") as header:
-    code = re.sub(r"/\*.*?\*/", "", header.read(), flags=re.DOTALL)
+code = ""
+for name in sys.argv[2:]:
+    with open(name, encoding="utf-8") as header:
+        code += re.sub(r"/\*.*?\*/", "", header.read(), flags=re.DOTALL)
 declared = set(re.findall(r"\b(plumb_\w+)\(", code))
 symbols = subprocess.run(["nm", "-D", "--defined-only", sys.argv[1]], capture_output=True, text=True, check=True).stdout
 exported = {line.split()[2].split("@")[0] for line in symbols.splitlines()} - {"PLUMB_0.1"}

@@ -1,13 +1,8 @@
 /* The header in C of 1999, and a program that uses it: figures, errors, a mesh, points. */
-#include <plumb/plumb.h>
+#include "expect.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-/* Programs that are compiled stay valid as long as no struct is laid out anew; one that grows brings a case of its old
- * size to guarded.hpp, and its new size here. */
-#define IS_LARGE(type, bytes) typedef char type##_is_as_large_as_it_was[sizeof(type) == (bytes) ? 1 : -1]
 #if UINTPTR_MAX == UINT64_MAX
 IS_LARGE(plumb_figure, 248);
 IS_LARGE(plumb_closest, 80);
@@ -20,25 +15,6 @@ IS_LARGE(plumb_corner, 72);
 IS_LARGE(plumb_faults, 112);
 IS_LARGE(plumb_solid_report, 24);
 #endif
-
-static int failures = 0;
-
-static void expect(int is_so, const char* what) {
-  if (is_so) return;
-  fprintf(stderr, "failed: %s (last error: %s)\n", what, plumb_last_error());
-  ++failures;
-}
-#define EXPECT(condition) expect((condition), #condition)
-#define EXPECT_STATUS(call, status) expect((call) == (status), #call " is " #status)
-
-static plumb_figure figure(int kind, int dimension) {
-  plumb_figure f;
-  memset(&f, 0, sizeof f);
-  f.size = sizeof f;
-  f.kind = kind;
-  f.dimension = dimension;
-  return f;
-}
 
 static plumb_figure ball(double x, double y, double z, double radius) {
   plumb_figure f = figure(PLUMB_BALL, 3);

@@ -45,9 +45,19 @@ def questions():
     return set().union(*(declared(h) for h in (TREE / "include/plumb/query").rglob("*.hpp") if "detail" not in h.parts))
 
 
+def table(heading):
+    """The rows of the table below a heading."""
+    part = PAGE.split(f"\n## {heading}\n")[1].split("\n## ")[0]
+    return [[cell.strip() for cell in line.split("|")[1:-1]] for line in part.splitlines() if line.startswith("| `")]
+
+
 def rows():
-    """Of the page's first table: question, Python, C."""
-    return [[cell.strip() for cell in line.split("|")[1:-1]] for line in PAGE.splitlines() if line.startswith("| `")]
+    """Question, Python, C."""
+    return table("About figures")
+
+
+def face_of_c():
+    return "".join(header.read_text() for header in (TREE / "include/plumb").glob("plumb*.h"))
 
 
 def test_every_question_has_its_row():
@@ -60,7 +70,7 @@ def test_every_question_has_its_row():
 
 
 def test_what_python_and_c_are_said_to_have_is_there():
-    face = (TREE / "include/plumb/plumb.h").read_text()
+    face = face_of_c()
     done = 0
     for question, python, c in rows():
         assert python and c
@@ -72,6 +82,19 @@ def test_what_python_and_c_are_said_to_have_is_there():
             done += 1
         assert all(re.search(rf"\b{name}\(", face) for name in re.findall(r"`(\w+)`", c))
     assert done > 20
+
+
+def test_every_question_about_surfaces_has_its_row():
+    asked = set()
+    for source in ("surface", "topology", "planar", "solids"):
+        text = (TREE / f"src/python/{source}.cpp").read_text()
+        asked |= set(re.findall(r'(?:module\.def\(|\badd\()\s*"(\w+)"', text))
+    named = [name for row in table("About signs, points, boxes and meshes") for name in re.findall(r"`(\w+)`", row[0])]
+    assert len(asked) > 15 and sorted(named) == sorted(asked)
+    face = face_of_c()
+    for row in table("About signs, points, boxes and meshes"):
+        done = re.findall(r"`(\w+)`", row[1])
+        assert done and all(re.search(rf"\b{name}\(", face) for name in done)
 
 
 def test_every_function_of_python_is_on_the_page():

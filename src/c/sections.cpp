@@ -1,0 +1,69 @@
+#include <memory>
+
+#include "c/figures.hpp"
+#include "c/handles.hpp"
+#include "plumb/surface/section/section.hpp"
+
+using namespace plumb;
+using c::guarded, c::need;
+
+struct plumb_contours {
+  std::vector<std::vector<Point3>> points;
+  std::vector<plumb_contour> each;
+};
+
+namespace {
+
+AnyPlane3 plane_in(const plumb_figure* given) {
+  const AnyFigure figure = c::figure_of(given, "planes");
+  if (!figure.is_posed()) {
+    if (const auto* plane = get_if<Plane3>(figure)) return *plane;
+    if (const auto* plane = get_if<ThreePointPlane3>(figure)) return *plane;
+  }
+  throw Unsupported("planes are of three points or of a normal, without a pose");
+}
+
+void add_contours(const Section& cut, std::size_t plane, plumb_contours& to) {
+  const auto before = static_cast<std::int64_t>(to.each.size());
+  for (const Contour& contour : cut.contours) {
+    std::vector<Point3>& points = to.points.emplace_back();
+    for (const SectionCorner& corner : contour.corners) points.push_back(corner.nearest);
+    const std::int64_t parent = contour.parent ? before + *contour.parent : -1;
+    to.each.push_back({reinterpret_cast<const double*>(points.data()), points.size(), plane, contour.depth, parent,
+                       contour.closed, static_cast<std::int32_t>(contour.turn)});
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+plumb_status plumb_mesh_sections(const plumb_mesh* mesh, const plumb_figure* planes, std::size_t count, int are_below,
+                                 plumb_contours** contours) {
+  return guarded("plumb_mesh_sections", [&] {
+    need(mesh, "mesh");
+    need(planes, count, "planes");
+    need(contours, "contours");
+    std::vector<AnyPlane3> all;
+    for (std::size_t i = 0; i < count; ++i) all.push_back(plane_in(planes + i));
+    auto made = std::make_unique<plumb_contours>();
+    std::size_t plane = 0;
+    for (const Section& cut : sections(mesh->mesh, all, are_below != 0 ? OnPlane::below : OnPlane::above))
+      add_contours(cut, plane++, *made);
+    *contours = made.release();
+  });
+}
+
+plumb_status plumb_contours_of(const plumb_contours* contours, const plumb_contour** each, std::size_t* count) {
+  return guarded("plumb_contours_of", [&] {
+    need(contours, "contours");
+    need(each, "each");
+    need(count, "count");
+    *each = contours->each.data();
+    *count = contours->each.size();
+  });
+}
+
+void plumb_contours_destroy(plumb_contours* contours) { delete contours; }
+
+}  // extern "C"
