@@ -3,4 +3,5 @@
 // Source: docs/sections.md, chapter 2.
 #pragma once
 
+#include "plumb/world/clash.hpp"  // parts of an assembly: touching, overlapping, piercing, enclosed, duplicate
 #include "plumb/world/world.hpp"  // CollisionWorld: which pairs meet, and what has begun and ended

@@ -424,6 +424,8 @@ inline const CostRow rows_of_indexes[]{
      [](const Cloud& c) {
        (void)arrange(std::vector{hull_of(c.a), hull_of(c.b)});
      }},
+    {"find_clash", "world/clash.hpp", quartic, 8000,
+     [](const Cloud& c) { (void)find_clash(ClashPart(hull_of(c.a)), ClashPart(hull_of(c.b))); }},
     {"unite", "surface/solid/boolean.hpp", quartic, 3000,
      [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }},
     {"merge_pieces", "surface/solid/merge_pieces.hpp", quadratic, 200,

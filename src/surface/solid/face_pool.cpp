@@ -112,9 +112,7 @@ bool is_canceled(std::span<const FacetSource> uses) {
   return true;
 }
 
-}  // namespace
-
-FacePool pool_faces(std::span<const TriangleMesh> meshes) {
+FacePool pooled(std::span<const TriangleMesh> meshes, bool must_be_closed) {
   require_points(meshes);
   FacePool pool;
   pool.meshes = static_cast<std::uint32_t>(meshes.size());
@@ -131,10 +129,15 @@ FacePool pool_faces(std::span<const TriangleMesh> meshes) {
       all.push_back({corners, {{m, t}, !turns}});
     }
   }
-  require_closed(pool, all);
+  if (must_be_closed) require_closed(pool, all);
   add_faces(pool, std::move(all));
   return pool;
 }
+
+}  // namespace
+
+FacePool pool_faces(std::span<const TriangleMesh> meshes) { return pooled(meshes, true); }
+FacePool pool_open_faces(std::span<const TriangleMesh> meshes) { return pooled(meshes, false); }
 
 void add_faces(FacePool& pool, std::vector<PooledTriangle> all) {
   std::ranges::sort(all, [](const PooledTriangle& l, const PooledTriangle& r) {

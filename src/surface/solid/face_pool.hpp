@@ -32,6 +32,8 @@ struct FacePool {
 
 /// Throws as arrange does.
 FacePool pool_faces(std::span<const TriangleMesh> meshes);
+/// The same of pieces of surfaces, which need not be closed.
+FacePool pool_open_faces(std::span<const TriangleMesh> meshes);
 
 struct PooledTriangle {
   TriangleMesh::Triangle corners;  // ascending

@@ -1,8 +1,7 @@
 // How often do meshes wind around what is beside a facet?  One query for facets that are connected.
 //
-// Laws: exact.  A line goes from a point of the facet, which is moved by infinitesimals: upward along z by one, forward
-// along y by a smaller one, so that the line passes no edge; where both leave it in the facet's plane, it starts above.
-// Source: RTCD 5.4.3; Edelsbrunner and Muecke 1990.
+// Laws: exact, by a line from the facet (surface/solid/line_from_facet.hpp).
+// Source: RTCD 5.4.3.
 // Cost: a descent of the tree, and some exact signs for each triangle that the line may pass.
 #pragma once
 

@@ -1,0 +1,25 @@
+// Where two surfaces meet, what of each lies in the other, and are both solid on the same side?
+//
+// Laws: exact.  Only triangles that meet are cut.  Of two solids whose other shells are looked at besides, insides meet
+// if and only if one of a_in_b, b_in_a and same_side is true: the border of a common part has a facet of one in the
+// other, or one of both with both on the same side.
+// Source: Zhou et al. 2016 (facets and their windings).
+// Cost: that of an arrangement of the triangles that meet, and a line through both meshes for each group of facets.
+#pragma once
+
+#include <span>
+
+#include "plumb/world/clash.hpp"
+
+namespace plumb::world {
+
+struct Lying {
+  bool a_in_b = false, a_off_b = false;  // facets of a alone: inside of b, outside of it; false where b is a sheet
+  bool b_in_a = false, b_off_a = false;
+  bool same_side = false;  // facets of both, and two insides beside them
+};
+
+/// The pairs are those of all triangles that meet.
+Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs);
+
+}  // namespace plumb::world

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <tuple>
+
+#include "plumb/predicates.hpp"
+#include "plumb/surface/solid/arrangement.hpp"
+#include "plumb/surface/topology/components.hpp"
+#include "plumb/world/clash.hpp"
+#include "surface/solid/face_pool.hpp"
+#include "surface/topology/disjoint_sets.hpp"
+
+namespace plumb {
+namespace {
+
+Aabb3 box_of_triangles(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) return {};
+  Aabb3 box{mesh.vertices[mesh.triangles[0][0]], mesh.vertices[mesh.triangles[0][0]]};
+  for (const auto& corners : mesh.triangles) {
+    for (const std::uint32_t v : corners) {
+      const Point3& p = mesh.vertices[v];
+      box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+      box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    }
+  }
+  return box;
+}
+
+bool has_equal_points(std::vector<Point3> points) {
+  const auto key = [](const Point3& p) { return std::tie(p.x, p.y, p.z); };
+  std::ranges::sort(points, [&](const Point3& l, const Point3& r) { return key(l) < key(r); });
+  return std::ranges::adjacent_find(points, [&](const Point3& l, const Point3& r) { return key(l) == key(r); }) !=
+         points.end();
+}
+
+/// Do numbers of vertices alone say that it is closed, and that no two triangles cancel one another?
+bool is_plainly_closed(const TriangleMesh& mesh) {
+  const MeshEdges edges = find_edges(mesh);
+  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+    const auto uses = edges.uses_of(e);
+    if (uses.size() != 2 || uses[0].forward == uses[1].forward || uses[0].opposite == uses[1].opposite) return false;
+  }
+  return !has_equal_points(mesh.vertices);
+}
+
+/// A point of each component: a corner of its first triangle that has an area, or where it need not bound, of any.
+ClashPart::Shells shells_by_number(const TriangleMesh& mesh, bool must_bound) {
+  const Components all = connected_components(mesh);
+  std::vector<std::uint32_t> number(all.count, ClashPart::no_shell);
+  ClashPart::Shells shells;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::uint32_t& of = number[all.of[t]];
+    if (of != ClashPart::no_shell) continue;
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (must_bound && collinear(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c])) continue;
+    of = static_cast<std::uint32_t>(shells.points.size());
+    shells.points.push_back(mesh.vertices[a]);
+  }
+  for (const std::uint32_t component : all.of) shells.of.push_back(number[component]);
+  return shells;
+}
+
+/// Components of what is left where equal points are one and nothing cancels.
+ClashPart::Shells shells_of_pool(const surface::FacePool& pool, std::size_t triangles) {
+  surface::DisjointSets sets(pool.mesh.vertices.size());
+  for (const auto& [a, b, c] : pool.mesh.triangles) sets.unite(a, b), sets.unite(b, c);
+  std::vector<std::uint32_t> number(pool.mesh.vertices.size(), ClashPart::no_shell);
+  ClashPart::Shells shells{std::vector<std::uint32_t>(triangles, ClashPart::no_shell), {}};
+  for (std::uint32_t f = 0; f < pool.mesh.triangles.size(); ++f) {
+    const std::uint32_t first = sets.find(pool.mesh.triangles[f][0]);
+    if (number[first] == ClashPart::no_shell) {
+      number[first] = static_cast<std::uint32_t>(shells.points.size());
+      shells.points.push_back(pool.mesh.vertices[first]);
+    }
+    for (const FacetSource& use : pool.uses_of(f)) shells.of[use.face.triangle] = number[first];
+  }
+  return shells;
+}
+
+}  // namespace
+
+ClashPart::ClashPart(TriangleMesh mesh, Execution execution) : mesh_(std::move(mesh)) {
+  bvh_ = build_bvh(mesh_, {.execution = execution});  // which refuses what is no mesh
+  box_ = box_of_triangles(mesh_);
+  if (empty()) return;
+  if (is_plainly_closed(mesh_)) {
+    solid_ = true;
+    shells_ = shells_by_number(mesh_, true);
+    return;
+  }
+  try {
+    const surface::FacePool pool = surface::pool_faces({&mesh_, 1});
+    solid_ = !pool.mesh.triangles.empty();
+    if (solid_) shells_ = shells_of_pool(pool, mesh_.triangles.size());
+  } catch (const UnbalancedEdge&) {
+  }
+  if (!solid_) shells_ = shells_by_number(mesh_, false);
+}
+
+}  // namespace plumb
