@@ -18,10 +18,12 @@
 #include "plumb/query/body/restated.hpp"    // slabs and boxes as the figures of the tables that they are
 
 // Of which kind, where that is known at run time alone?
-#include "plumb/query/body/any_figure.hpp"     // AnyFigure: a shape of any kind as a value
-#include "plumb/query/body/rounded_hull.hpp"   // a figure of your own: the hull of its places, and a radius
-#include "plumb/query/variant/own_figure.hpp"  // every question takes one of these
-#include "plumb/query/variant/questions.hpp"   // every question takes one
+#include "plumb/query/body/any_figure.hpp"            // AnyFigure: a shape of any kind as a value
+#include "plumb/query/body/rounded_hull.hpp"          // a figure of your own: the hull of its places, and a radius
+#include "plumb/query/variant/own_figure.hpp"         // every question takes one of these
+#include "plumb/query/variant/question_line.hpp"      // one as a line of text, with its answer
+#include "plumb/query/variant/question_recorder.hpp"  // those that were asked, kept
+#include "plumb/query/variant/questions.hpp"          // every question takes one
 
 // Which pairs?
 #include "plumb/query/body/closest_pairs.hpp"       // of closest_points and distance

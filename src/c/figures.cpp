@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "plumb/figure/basic/polyhedron.hpp"
+#include "plumb/query/variant/question_line.hpp"
 
 namespace plumb::c {
 namespace {
@@ -228,6 +229,16 @@ AnyFigure figure_of(const plumb_figure* given, const char* argument) {
 using namespace plumb;
 using c::guarded, c::need;
 
+namespace {
+
+/// With the ending 0, where the capacity is enough for all of it.
+void tell(const std::string& text, char* to, std::size_t capacity, std::size_t& length) {
+  length = text.size();
+  if (to != nullptr && text.size() < capacity) std::memcpy(to, text.c_str(), text.size() + 1);
+}
+
+}  // namespace
+
 extern "C" {
 
 plumb_status plumb_kept_create(const plumb_figure* figure, plumb_kept** kept) {
@@ -252,9 +263,17 @@ void plumb_kept_destroy(plumb_kept* kept) { delete kept; }
 plumb_status plumb_figure_line(const plumb_figure* figure, char* line, std::size_t capacity, std::size_t* length) {
   return guarded("plumb_figure_line", [&] {
     need(length, "length");
-    const std::string text = to_string(c::figure_of(figure, "figure"));
-    *length = text.size();
-    if (line != nullptr && text.size() < capacity) std::memcpy(line, text.c_str(), text.size() + 1);
+    tell(to_string(c::figure_of(figure, "figure")), line, capacity, *length);
+  });
+}
+
+plumb_status plumb_ask(const char* question, char* answer, std::size_t capacity, std::size_t* length) {
+  return guarded("plumb_ask", [&] {
+    need(question, "question");
+    need(length, "length");
+    const std::optional<QuestionLine> asked = parse_question_line(question);
+    if (!asked) throw c::InvalidArgument("question is a blank line or a remark");
+    tell(answer_of(*asked), answer, capacity, *length);
   });
 }
 

@@ -1,4 +1,5 @@
 #include "certify/batch/all_threads.hpp"
+#include "plumb/query/variant/question_line.hpp"
 #include "python/figure_answers.hpp"
 #include "python/figure_class.hpp"
 #include "python/rooms.hpp"
@@ -311,6 +312,22 @@ void add_questions_in_motion(py::module_& module) {
                  .c_str());
 }
 
+std::string answer_to_line(const std::string& line) {
+  const std::optional<QuestionLine> asked_line = parse_question_line(line);
+  if (!asked_line) throw py::value_error("ask: the line is blank or a remark");
+  return asked([&] { return answer_of(*asked_line); });
+}
+
+void add_question_lines(py::module_& module) {
+  module.def("ask", answer_to_line, py::arg("line"),
+             "ask(line)\n--\n\nThe answer to a question that is a line of text, as the program `plumb replay` reads "
+             "it.\n\nParameters\n----------\nline : str\n    The question, its figures and numbers between bars; an "
+             "answer behind '=' is not looked at.\n\nReturns\n-------\nstr, in words and hexadecimal numbers; "
+             "'refused: ' and why, where the question has no answer\n\nRaises\n------\nValueError : the line is "
+             "no question\n\nExamples\n--------\n>>> plumb.ask('relate | ball3 0 0 0 1 | ball3 2 0 0 1')\n"
+             "'touching'\n");
+}
+
 }  // namespace
 
 void add_figure_questions(py::module_& module) {
@@ -318,6 +335,7 @@ void add_figure_questions(py::module_& module) {
   add_questions_at_rest(module);
   add_questions_of_one(module);
   add_questions_in_motion(module);
+  add_question_lines(module);
 }
 
 }  // namespace plumb::python

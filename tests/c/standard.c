@@ -99,6 +99,13 @@ static void ask_figures(void) {
   EXPECT_STATUS(plumb_figure_line(&b, NULL, 0, &length), PLUMB_OK);
   EXPECT(length > 0 && length < sizeof line);
   EXPECT_STATUS(plumb_figure_line(&b, line, sizeof line, &length), PLUMB_OK);
+  EXPECT_STATUS(plumb_ask("relate | ball3 0 0 0 1 | ball3 2 0 0 1", line, sizeof line, &length), PLUMB_OK);
+  EXPECT(length == strlen("touching") && strcmp(line, "touching") == 0);
+  EXPECT_STATUS(plumb_ask("distance | ball3 0 0 0 1 | cone3 0 0 0 1 0 0 1", NULL, 0, &length), PLUMB_OK);
+  EXPECT(length > strlen("refused: "));
+  EXPECT_STATUS(plumb_ask("touch | ball3 0 0 0 1", line, sizeof line, &length), PLUMB_FAILED);
+  EXPECT_STATUS(plumb_ask("# nothing", line, sizeof line, &length), PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_ask(NULL, line, sizeof line, &length), PLUMB_INVALID_ARGUMENT);
   EXPECT_STATUS(plumb_kept_parse(line, &kept), PLUMB_OK);
   a = figure(0, 0);
   a.kept = kept;

@@ -40,7 +40,7 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
     {"tool", {"terminal",  "drawing", "mesh",    "rows",      "trial",   "manual",   "boolean", "bounds",
               "bvh",       "check",   "closest", "convert",   "convex",  "distance", "doctor",  "fuzz",
               "hausdorff", "help",    "inside",  "intersect", "nearest", "pairs",    "parts",   "placements",
-              "plan",      "proof",   "ray",     "repair",    "section", "sign",     "program"}},
+              "plan",      "proof",   "ray",     "repair",    "replay",  "section",  "sign",    "program"}},
     {"lab", {"trial", "crowd", "chart", "stability", "vectors", "program"}},
 };
 

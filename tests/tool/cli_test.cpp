@@ -161,7 +161,7 @@ TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
            {"convex-decomposition convex_decomposition decompose V-HACD convex-parts", "'plumb parts' parts solids"},
            {"scenes simulation collide collisions physics", "scenes are not played"},
            {"hulls convex-hull", "the library makes hulls"},
-           {"python", "no Python module"}}) {
+           {"python", "'import plumb' is the Python module"}}) {
     std::istringstream each(words);
     for (std::string word; each >> word;) {
       expect_refusal(run("$PLUMB " + word + " a.obj"), "there is no command " + word + ": ");

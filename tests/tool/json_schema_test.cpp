@@ -39,6 +39,8 @@ void put_inputs(const Folder& folder) {
   std::ofstream(folder / "boxes.csv") << "0,0,0,1,1,1\n0.5,0.5,0.5,2,2,2\n1,0,0,2,1,1\n";
   std::ofstream(folder / "flat_boxes.csv") << "0,0,1,1\n0.1,0.1,2,2\n";
   std::ofstream(folder / "points.csv") << "0,0,0\n1,1,1\n0.1,0,0\n1,0,0\n";
+  std::ofstream(folder / "questions.txt") << "relate | ball3 0 0 0 1 | ball3 2 0 0 1 = disjoint\n"
+                                          << "distance | point3 0 0 0 | point3 3 4 0\nrelate | ball3 0 0 0 1\n";
   std::ofstream(folder / "probes.txt") << "0.5 0.5 0.5\n0 0 0\n2 2 2\n";
 }
 
@@ -72,6 +74,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
       {"repair",
        {"--dry-run cube.obj", "--dry-run --tolerance 0.1 open.obj sliver.off", "-o mended.obj open.obj",
         "--dry-run --only weld crossing.obj"}},
+      {"replay", {"questions.txt", "--prove questions.txt"}},
       {"section", {"--plane z=0.5 cube.obj", "--plane z=0 --plane x=0.1 cube.obj", "--plane 1,1,1,0.5 open.obj"}},
   };
   return all;

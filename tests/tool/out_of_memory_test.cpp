@@ -163,6 +163,9 @@ const std::vector<Writer> writers{
     {"repair",
      {"repair", "part.obj", "--output", "a.ply", "--json", "a.json", "--page", "a.html", "--overwrite"},
      {"a.ply", "a.json", "a.html"}},
+    {.name = "replay",
+     .words = {"replay", "questions.txt", "--out", "a.txt", "--json", "a.json", "--overwrite"},
+     .outputs = {"a.txt", "a.json"}},
     {.name = "proof", .words = {"proof", "orient2d", "--out", "a.g"}, .outputs = {"a.g"}, .is_hungry = false},
     {.name = "fuzz",
      .words = with(of_fuzz, {"--out", "report"}),
@@ -210,6 +213,8 @@ void write_inputs(const std::string& folder) {
     points << x << ',' << y << ',' << z << '\n';
     queries << y << ',' << z << ',' << x << '\n';
   }
+  std::ofstream questions(folder + "/questions.txt");
+  for (int i = 0; i < 20000; ++i) questions << "distance | point3 0 0 0 | ball3 " << i << " 0 0 1\n";
   std::ofstream(folder + "/block.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   for (const auto& [name, at, n] :
        {std::tuple("part", 0.0, 80), {"near", 0.4, 80}, {"far", 7.0, 80}, {"small", 0.0, 24}}) {

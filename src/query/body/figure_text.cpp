@@ -1,3 +1,5 @@
+#include "query/body/figure_text.hpp"
+
 #include <cmath>
 #include <cstring>
 #include <vector>
@@ -5,7 +7,6 @@
 #include "certify/case_line.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/figure/generated/generated.hpp"
-#include "plumb/query/body/any_figure.hpp"
 
 namespace plumb {
 namespace {
@@ -257,23 +258,24 @@ const Reader& reader_named(std::string_view word) {
 
 }  // namespace
 
-std::string to_string(const AnyFigure& figure) {
-  return visit(
-      [&figure]<class Shape>(const Shape& s) {
-        std::string line = name_of_shape<Shape>();
-        append(line, row_of(s));
-        std::visit(
-            [&line]<class By>(const By& pose) {
-              if constexpr (!std::is_same_v<By, std::monostate>) {
-                line.append(" ").append(word_of_pose<By>());
-                append(line, row_of(pose));
-              }
-            },
-            figure.pose());
-        return line;
+std::string query::text_of(const PosedView& posed) {
+  std::string line;
+  query::with_figure(posed.figure, [&line]<class Shape>(const Shape& s) {
+    line = name_of_shape<Shape>();
+    append(line, row_of(s));
+  });
+  std::visit(
+      [&line]<class By>(const By& pose) {
+        if constexpr (!std::is_same_v<By, std::monostate>) {
+          line.append(" ").append(word_of_pose<std::remove_cvref_t<decltype(*pose)>>());
+          append(line, row_of(*pose));
+        }
       },
-      figure);
+      posed.pose.by);
+  return line;
 }
+
+std::string to_string(const AnyFigure& figure) { return query::text_of(figure.view()); }
 
 std::optional<AnyFigure> parse_figure(std::string_view line) {
   const std::string_view word = next_word(line);

@@ -3,6 +3,7 @@
 #include "plumb/query/separation/separation.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/variant/asked.hpp"
+#include "query/variant/recorded.hpp"
 
 namespace plumb::query {
 namespace {
@@ -22,16 +23,20 @@ Closest closest_of_posed(const PosedView& a, const PosedView& b) {
   return posed_closest_points(a, b, WhichPair::any);
 }
 
-}  // namespace
-
-Closest any_closest_points(const PosedView& a, const PosedView& b) {
+Closest closest_of_views(const PosedView& a, const PosedView& b) {
   require_answer(closest_pairs, "closest_points", a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) return closest_of_posed(a, b);
-  if (b.figure.kind < a.figure.kind) return swapped(any_closest_points(b, a));
+  if (b.figure.kind < a.figure.kind) return swapped(closest_of_views(b, a));
   return asked_in_order<Closest>(
       "closest_points", a.figure, b.figure, [](const auto& x, const auto& y) requires requires {
         closest_points(x, y);
       } { return in_space(closest_points(x, y)); });
+}
+
+}  // namespace
+
+Closest any_closest_points(const PosedView& a, const PosedView& b) {
+  return recorded("closest_points", {a, b}, {}, [&] { return closest_of_views(a, b); });
 }
 
 }  // namespace plumb::query

@@ -4,10 +4,12 @@
 #include "plumb/query/overlap/posed.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/variant/asked.hpp"
+#include "query/variant/recorded.hpp"
 
 namespace plumb::query {
+namespace {
 
-bool any_contains(const PosedView& outer, const PosedView& inner) {
+bool view_contains(const PosedView& outer, const PosedView& inner) {
   if (!is_posed_view(outer) && !is_posed_view(inner)) {
     return asked_by_types<bool>(
         "contains", outer.figure, inner.figure,
@@ -20,8 +22,6 @@ bool any_contains(const PosedView& outer, const PosedView& inner) {
   require_answer(contains_pairs, "contains", outer.figure, inner.figure);
   return posed_contains(outer, inner);
 }
-
-namespace {
 
 template <class Point>
 Location located(const AnyFigure& figure, const Point& p) {
@@ -38,7 +38,14 @@ Location located(const AnyFigure& figure, const Point& p) {
 
 }  // namespace
 
-Location any_locate(const AnyFigure& figure, const Point2& p) { return located(figure, p); }
-Location any_locate(const AnyFigure& figure, const Point3& p) { return located(figure, p); }
+bool any_contains(const PosedView& outer, const PosedView& inner) {
+  return recorded("contains", {outer, inner}, {}, [&] { return view_contains(outer, inner); });
+}
+Location any_locate(const AnyFigure& figure, const Point2& p) {
+  return recorded("locate", {figure.view(), {view_of(p)}}, {}, [&] { return located(figure, p); });
+}
+Location any_locate(const AnyFigure& figure, const Point3& p) {
+  return recorded("locate", {figure.view(), {view_of(p)}}, {}, [&] { return located(figure, p); });
+}
 
 }  // namespace plumb::query

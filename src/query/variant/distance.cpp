@@ -2,13 +2,15 @@
 #include "plumb/query/separation/separation.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/variant/asked.hpp"
+#include "query/variant/recorded.hpp"
 
 namespace plumb::query {
+namespace {
 
-double any_distance(const PosedView& a, const PosedView& b, Question question) {
+double distance_of_views(const PosedView& a, const PosedView& b, Question question) {
   require_answer(closest_pairs, name_of(question), a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) return posed_distance(a, b, question);
-  if (b.figure.kind < a.figure.kind) return any_distance(b, a, question);
+  if (b.figure.kind < a.figure.kind) return distance_of_views(b, a, question);
   return asked_in_order<double>(
       name_of(question), a.figure,
       b.figure, [question](const auto& x, const auto& y) requires requires { distance_as(Question::distance, x, y); } {
@@ -16,7 +18,7 @@ double any_distance(const PosedView& a, const PosedView& b, Question question) {
       });
 }
 
-ExactDistance any_exact_distance(const PosedView& a, const PosedView& b, Question question) {
+ExactDistance exact_distance_of_views(const PosedView& a, const PosedView& b, Question question) {
   require_answer(closest_pairs, name_of(question), a.figure, b.figure);
   const bool is_squared = question == Question::squared_distance_exact;
   const auto is_ball = [](const PosedView& v) {
@@ -24,7 +26,7 @@ ExactDistance any_exact_distance(const PosedView& a, const PosedView& b, Questio
   };
   if (is_squared && (is_ball(a) || is_ball(b))) refuse_pair(name_of(question), a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) return posed_exact_distance(a, b, question);
-  if (b.figure.kind < a.figure.kind) return any_exact_distance(b, a, question);
+  if (b.figure.kind < a.figure.kind) return exact_distance_of_views(b, a, question);
   if (is_squared) {
     return asked_in_order<ExactDistance>(
         name_of(question), a.figure, b.figure, [](const auto& x, const auto& y) requires requires {
@@ -34,6 +36,18 @@ ExactDistance any_exact_distance(const PosedView& a, const PosedView& b, Questio
   return asked_in_order<ExactDistance>(
       name_of(question), a.figure, b.figure,
       [](const auto& x, const auto& y) requires requires { exact_distance(x, y); } { return exact_distance(x, y); });
+}
+
+}  // namespace
+
+// Whichever question it is asked for, which an error names.
+double any_distance(const PosedView& a, const PosedView& b, Question question) {
+  return recorded("distance", {a, b}, {}, [&] { return distance_of_views(a, b, question); });
+}
+ExactDistance any_exact_distance(const PosedView& a, const PosedView& b, Question question) {
+  const bool is_squared = question == Question::squared_distance_exact;
+  return recorded(is_squared ? "squared_distance_exact" : "exact_distance", {a, b}, {},
+                  [&] { return exact_distance_of_views(a, b, question); });
 }
 
 }  // namespace plumb::query

@@ -2,6 +2,7 @@
 #include "plumb/query/time_of_impact/posed.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/variant/asked.hpp"
+#include "query/variant/recorded.hpp"
 
 namespace plumb::query {
 namespace {
@@ -34,42 +35,58 @@ Answer asked_of_corners(std::string_view question, const CornersInMotion& a, con
       });
 }
 
+template <class Ask>
+auto recorded_corners(std::string_view question, const CornersInMotion& a, const CornersInMotion& b,
+                      const ContactOptions& options, const Ask& ask) {
+  return recorded(question, {a.from, a.to, b.from, b.to}, {options.separation}, ask);
+}
+template <class Ask>
+auto recorded_translations(std::string_view question, const PosedMotion& a, const PosedMotion& b, const Ask& ask) {
+  return recorded(question, {a.figure, b.figure}, {a.by.x, a.by.y, a.by.z, b.by.x, b.by.y, b.by.z}, [&] {
+    require_motion(question, a, b);
+    return ask();
+  });
+}
+
 }  // namespace
 
 bool any_corners_meet(const CornersInMotion& a, const CornersInMotion& b, const ContactOptions& options) {
-  return asked_of_corners<bool>(
-      "intersects", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
-        intersects(x, y, o);
-      } { return intersects(x, y, o); },
-      corners_meet);
+  return recorded_corners("intersects", a, b, options, [&] {
+    return asked_of_corners<bool>(
+        "intersects", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
+          intersects(x, y, o);
+        } { return intersects(x, y, o); },
+        corners_meet);
+  });
 }
 std::optional<Contact> any_corner_contact(const CornersInMotion& a, const CornersInMotion& b,
                                           const ContactOptions& options) {
-  return asked_of_corners<std::optional<Contact>>(
-      "first_contact", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
-        first_contact(x, y, o);
-      } { return first_contact(x, y, o); },
-      corner_contact);
+  return recorded_corners("first_contact", a, b, options, [&] {
+    return asked_of_corners<std::optional<Contact>>(
+        "first_contact", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
+          first_contact(x, y, o);
+        } { return first_contact(x, y, o); },
+        corner_contact);
+  });
 }
 std::optional<Root> any_corner_contact_time(const CornersInMotion& a, const CornersInMotion& b,
                                             const ContactOptions& options) {
-  return asked_of_corners<std::optional<Root>>(
-      "first_contact_time", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
-        first_contact_time(x, y, o);
-      } { return first_contact_time(x, y, o); },
-      corner_contact_time);
+  return recorded_corners("first_contact_time", a, b, options, [&] {
+    return asked_of_corners<std::optional<Root>>(
+        "first_contact_time", a, b, options, [](const auto& x, const auto& y, const auto& o) requires requires {
+          first_contact_time(x, y, o);
+        } { return first_contact_time(x, y, o); },
+        corner_contact_time);
+  });
 }
 std::optional<Contact> any_first_contact(const PosedMotion& a, const PosedMotion& b) {
-  require_motion("first_contact", a, b);
-  return posed_contact(a, b);
+  return recorded_translations("first_contact", a, b, [&] { return posed_contact(a, b); });
 }
 std::optional<Root> any_first_contact_time(const PosedMotion& a, const PosedMotion& b) {
-  require_motion("first_contact_time", a, b);
-  return posed_contact_time(a, b);
+  return recorded_translations("first_contact_time", a, b, [&] { return posed_contact_time(a, b); });
 }
 bool any_meet(const PosedMotion& a, const PosedMotion& b) {
-  require_motion("intersects", a, b);
-  return posed_bodies_meet(a, b);
+  return recorded_translations("intersects", a, b, [&] { return posed_bodies_meet(a, b); });
 }
 
 }  // namespace plumb::query

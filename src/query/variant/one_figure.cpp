@@ -2,6 +2,7 @@
 #include "plumb/figure/k_dop/k_dop.hpp"
 #include "plumb/query/convex/posed_support.hpp"
 #include "plumb/query/variant/questions.hpp"
+#include "query/variant/recorded.hpp"
 
 namespace plumb::query {
 namespace {
@@ -28,9 +29,7 @@ auto ask_along(std::string_view question, const AnyFigure& figure, const Vector3
       figure);
 }
 
-}  // namespace
-
-Support3 any_support_point(const AnyFigure& figure, const Vector3& direction) {
+Support3 support_of(const AnyFigure& figure, const Vector3& direction) {
   if (figure.is_posed()) refuse_figure("support_point", figure.figure());
   return ask_along(
       "support_point", figure, direction, [](const auto& s, const auto& d) requires requires { support_point(s, d); } {
@@ -38,7 +37,7 @@ Support3 any_support_point(const AnyFigure& figure, const Vector3& direction) {
       });
 }
 
-double any_support_value(const AnyFigure& figure, const Vector3& direction, Rounding rounding) {
+double support_value_of(const AnyFigure& figure, const Vector3& direction, Rounding rounding) {
   return ask_along(
       "support_value", figure,
       direction, [&](const auto& s, const auto& d) requires requires { support_value(s, d, rounding); } {
@@ -47,7 +46,7 @@ double any_support_value(const AnyFigure& figure, const Vector3& direction, Roun
       });
 }
 
-Aabb3 any_fit_aabb(const AnyFigure& figure) {
+Aabb3 box_of(const AnyFigure& figure) {
   return visit(
       [&figure](const auto& s) {
         return std::visit(
@@ -64,6 +63,21 @@ Aabb3 any_fit_aabb(const AnyFigure& figure) {
             figure.pose());
       },
       figure);
+}
+
+}  // namespace
+
+Support3 any_support_point(const AnyFigure& figure, const Vector3& direction) {
+  return recorded("support_point", {figure.view()}, {direction.x, direction.y, direction.z},
+                  [&] { return support_of(figure, direction); });
+}
+double any_support_value(const AnyFigure& figure, const Vector3& direction, Rounding rounding) {
+  return recorded("support_value", {figure.view()},
+                  {direction.x, direction.y, direction.z, static_cast<double>(static_cast<int>(rounding))},
+                  [&] { return support_value_of(figure, direction, rounding); });
+}
+Aabb3 any_fit_aabb(const AnyFigure& figure) {
+  return recorded("fit_aabb", {figure.view()}, {}, [&] { return box_of(figure); });
 }
 
 }  // namespace plumb::query

@@ -3,6 +3,7 @@
 #include "plumb/query/ray/posed.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/variant/asked.hpp"
+#include "query/variant/recorded.hpp"
 
 namespace plumb::query {
 namespace {
@@ -19,9 +20,7 @@ AnyRay ray_of(const FigureView& v) {
   return *static_cast<const Segment3*>(v.shape);
 }
 
-}  // namespace
-
-std::optional<Hit> any_first_hit(const PosedView& ray, const PosedView& figure) {
+std::optional<Hit> first_hit_of_view(const PosedView& ray, const PosedView& figure) {
   require_answer(hit_pairs, "first_hit", ray.figure, figure.figure);
   if (is_posed_view(ray) || is_posed_view(figure)) {
     const auto triangle = posed_triangle(figure);
@@ -34,7 +33,7 @@ std::optional<Hit> any_first_hit(const PosedView& ray, const PosedView& figure) 
       });
 }
 
-std::optional<RayParameter> any_first_hit_parameter(const PosedView& ray, const PosedView& figure) {
+std::optional<RayParameter> first_parameter_of_view(const PosedView& ray, const PosedView& figure) {
   require_answer(hit_pairs, "first_hit_parameter", ray.figure, figure.figure);
   if (is_posed_view(ray) || is_posed_view(figure)) return posed_first_hit_parameter("first_hit_parameter", ray, figure);
   return asked_by_types<std::optional<RayParameter>>(
@@ -43,12 +42,24 @@ std::optional<RayParameter> any_first_hit_parameter(const PosedView& ray, const 
       } { return first_hit_parameter(x, y); });
 }
 
-bool any_hits(const PosedView& ray, const PosedView& figure) {
+bool hits_view(const PosedView& ray, const PosedView& figure) {
   require_answer(hit_pairs, "hits", ray.figure, figure.figure);
   if (is_posed_view(ray) || is_posed_view(figure)) return posed_first_hit_parameter("hits", ray, figure).has_value();
   return asked_by_types<bool>(
       "hits", ray.figure, figure.figure,
       [](const auto& x, const auto& y) requires requires { hits(x, y); } { return hits(x, y); });
+}
+
+}  // namespace
+
+std::optional<Hit> any_first_hit(const PosedView& ray, const PosedView& figure) {
+  return recorded("first_hit", {ray, figure}, {}, [&] { return first_hit_of_view(ray, figure); });
+}
+std::optional<RayParameter> any_first_hit_parameter(const PosedView& ray, const PosedView& figure) {
+  return recorded("first_hit_parameter", {ray, figure}, {}, [&] { return first_parameter_of_view(ray, figure); });
+}
+bool any_hits(const PosedView& ray, const PosedView& figure) {
+  return recorded("hits", {ray, figure}, {}, [&] { return hits_view(ray, figure); });
 }
 
 }  // namespace plumb::query

@@ -58,6 +58,7 @@ Command plan_command(CLI::App& program);
 Command proof_command(CLI::App& program);
 Command ray_command(CLI::App& program);
 Command repair_command(CLI::App& program);
+Command replay_command(CLI::App& program);
 Command section_command(CLI::App& program);
 Command sign_command(CLI::App& program);
 

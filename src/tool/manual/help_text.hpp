@@ -39,6 +39,7 @@ Manual parts_manual();
 Manual plan_manual();
 Manual ray_manual();
 Manual repair_manual();
+Manual replay_manual();
 Manual section_manual();
 Manual sign_manual();
 Manual proof_manual();

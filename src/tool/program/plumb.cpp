@@ -15,7 +15,7 @@ std::vector<Command> commands_of(CLI::App& app) {
           bvh_command(app),     intersect_command(app), distance_command(app), convex_command(app),
           inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
           convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app),
-          parts_command(app),   boolean_command(app)};
+          parts_command(app),   boolean_command(app),   replay_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
@@ -43,8 +43,8 @@ std::string instead_of(const std::string& word) {
           "'plumb convex' answers for the convex hulls of meshes; the library makes hulls "
           "(convex_hull, docs/hulls.md)",
       python =
-          "there is no Python module yet; what is asked of meshes and "
-          "tables is answered as JSON too (--json)";
+          "'import plumb' is the Python module (docs/python.md); what is asked of meshes and "
+          "tables here is answered as JSON too (--json)";
 
   // What words begin with that mean the same: "booleans", "boolean-union", "unions".
   constexpr std::array<std::pair<std::string_view, std::string_view>, 46> stems{{

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plumb/query/body/any_figure.hpp"
+#include "query/body/pair_shapes.hpp"
 #include "query/body/pair_types.hpp"
 
 namespace plumb::pair_cases {
