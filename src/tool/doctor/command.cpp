@@ -7,6 +7,7 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/instruction_set.hpp"
+#include "tool/doctor/digest.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -52,7 +53,9 @@ std::string doctor_report(const Environment& e, const Style& style) {
   return report;
 }
 
-int run_doctor() {
+int run_doctor(const DoctorOptions& options) {
+  if (options.digest)
+    return run_digest(options.digest == "small" ? DigestSize::small : DigestSize::full, options.threads);
   const Environment environment = check_environment();
   say(doctor_report(environment, Style(stdout)));
   return environment.sound() && batches().refused.empty() ? 0 : 1;
