@@ -201,8 +201,8 @@ void plumb_kept_destroy(plumb_kept* kept);
 /* The line of a figure, numbers in hexadecimal; *length without the ending 0, of which all is written if it is below
  * the capacity.  `line` may be NULL to ask how long it is. */
 plumb_status plumb_figure_line(const plumb_figure* figure, char* line, size_t capacity, size_t* length);
-/* The answer to a question in a line, such as `relate | ball3 0 0 0 1 | ball3 2 0 0 1`, in words and hexadecimal numbers
- * (plumb/query/variant/question_line.hpp); told as plumb_figure_line tells.  What refuses the figures is an answer. */
+/* The answer to a question in a line, such as `relate | ball3 0 0 0 1 | ball3 2 0 0 1`, in words and hexadecimal
+ * numbers (plumb/query/variant/question_line.hpp); told as plumb_figure_line tells.  What refuses the figures is an answer. */
 plumb_status plumb_ask(const char* question, char* answer, size_t capacity, size_t* length);
 
 /* ---- two figures ---- */

@@ -1,7 +1,7 @@
-// How is a question of figures written down with its answer, so that it can be asked again elsewhere?  One line of text:
+// How is a question of figures written down with its answer, so that it can be asked again elsewhere?  One line:
 //
 //   relate | ball3 0x0p+0 0x0p+0 0x0p+0 0x1p+0 | segment3 0x1p+0 0x0p+0 0x0p+0 0x1p+1 0x0p+0 0x0p+0 = touching
-//   contact | aabb3 ... | obb3 ... rigid ... | 0x1p-4 0x0p+0 = ...            margin and corners at most
+//   contact | aabb3 ... | obb3 ... rigid ... | 0.5 4 = ...            margin, and how many corners at most
 //
 // its name, the figures as to_string(AnyFigure) writes them, numbers where the question takes any, and behind '=' the
 // answer, if it is told.  Decimals are read too; '#' begins a remark.
@@ -9,8 +9,8 @@
 //   answer_of(*parse_question_line("distance | point3 0 0 0 | point3 0 3 4")) == "0x1.4p+2"
 //
 // Laws: (1) parse_question_line(to_string(q)) == q.  (2) An answer is one text, the same on every machine and by every
-// build: numbers are hexadecimal, exact ones fractions.  (3) What refuses the figures is an answer as well: `refused: ` and
-// why.
+// build: numbers are hexadecimal, exact ones fractions.  (3) What refuses the figures is an answer as well:
+// `refused: ` and why.
 // Source: RTCD 2.7.1.
 // Cost: that of the question, and linear in the numbers.  Nothing is searched.
 #pragma once
@@ -46,8 +46,8 @@ std::span<const QuestionForm> question_forms();
 
 std::string to_string(const QuestionLine& line);
 
-/// Nothing for a blank line or a remark.  Throws Error for what is no question, or not as many figures and numbers as it
-/// takes, and names what it takes; what parse_figure throws for what is no figure.
+/// Nothing for a blank line or a remark.  Throws Error for what is no question, or not as many figures and numbers as
+/// it takes, and names what it takes; what parse_figure throws for what is no figure.
 std::optional<QuestionLine> parse_question_line(std::string_view line);
 
 /// Whatever answer the line tells is not looked at.  Throws Error for a question that there is not.
