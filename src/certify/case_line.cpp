@@ -103,10 +103,15 @@ double parse_double(std::string_view word) {
   return minus ? -x : x;
 }
 
+void append_hexadecimal(std::string& to, double x) {
+  std::array<char, 40> text{'-', '0', 'x'};
+  char* const end = std::to_chars(text.data() + 3, text.data() + text.size(), std::fabs(x), std::chars_format::hex).ptr;
+  to.append(text.data() + (std::signbit(x) ? 0 : 1), end);
+}
 std::string hexadecimal(double x) {
-  std::array<char, 40> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::fabs(x), std::chars_format::hex).ptr;
-  return (std::signbit(x) ? "-0x" : "0x") + std::string(text.data(), end);
+  std::string text;
+  append_hexadecimal(text, x);
+  return text;
 }
 
 std::optional<CaseLine> parse_case_line(std::string_view line) {

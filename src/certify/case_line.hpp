@@ -41,6 +41,7 @@ std::string quoted_word(std::string_view word);
 
 /// A double as a hexadecimal literal that any C or C++ compiler, Python's float.fromhex and parse_case_line read back.
 std::string hexadecimal(double x);
+void append_hexadecimal(std::string& to, double x);
 
 /// The nearest double to a decimal or hexadecimal literal, with optional sign; throws Error naming the word.
 double parse_double(std::string_view word);

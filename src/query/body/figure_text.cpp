@@ -156,7 +156,10 @@ Shape shape_of(std::string_view name, std::vector<double> numbers) {
 }
 
 void append(std::string& line, std::span<const double> numbers) {
-  for (const double x : numbers) line.append(" ").append(hexadecimal(x));
+  for (const double x : numbers) {
+    line += ' ';
+    append_hexadecimal(line, x);
+  }
 }
 
 /// The word tells how a figure stands.

@@ -26,7 +26,10 @@ std::string question_text(std::string_view question, std::initializer_list<Posed
   std::string text(question);
   for (const PosedView& figure : figures) text.append(" | ").append(text_of(figure));
   if (numbers.size() != 0) text.append(" |");
-  for (const double x : numbers) text.append(" ").append(hexadecimal(x));
+  for (const double x : numbers) {
+    text += ' ';
+    append_hexadecimal(text, x);
+  }
   return text;
 }
 
@@ -78,11 +81,18 @@ class QuestionRing::Bytes {
     write(line, question);
     return line;
   }
-  /// Behind the question, if that is the last line; else as a line of its own.
+  /// Behind the question, if that is the last line and there is room; else as a line of its own.
   void answer(std::uint64_t line, std::string_view question, std::string_view answer) {
     const std::lock_guard lock(one_at_a_time_);
-    if (line == last_line_) end_ = last_begin_;
-    write(line, std::string(question).append(" = ").append(answer));
+    const std::string told = std::string(" = ").append(answer);
+    const std::size_t behind = last_begin_ + question.size();
+    const std::string rest = ended(line, told);
+    if (line != last_line_ || behind + rest.size() + 1 > body_.size())
+      return write(line, std::string(question).append(told));
+    end_ = behind + rest.size();
+    body_[end_] = '\0';
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    std::ranges::copy(rest, body_.begin() + static_cast<std::ptrdiff_t>(behind));
   }
   [[nodiscard]] std::string content() const {
     const std::lock_guard lock(one_at_a_time_);
@@ -94,9 +104,12 @@ class QuestionRing::Bytes {
   }
 
  private:
+  static std::string ended(std::uint64_t line, std::string_view text) {
+    return std::string(text).append(numbered).append(std::to_string(line)).append("\n");
+  }
   /// A NUL stands before what is written until that is whole, and one behind it.
   void write(std::uint64_t line, std::string_view text) {
-    const std::string whole = std::string(text).append(numbered).append(std::to_string(line)).append("\n");
+    const std::string whole = ended(line, text);
     if (whole.size() + 1 > body_.size()) {
       ++left_out_;
       return;
