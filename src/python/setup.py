@@ -2,10 +2,11 @@
 
     pip install src/python --no-build-isolation
 
-PLUMB_PYTHON_BUILD names a folder of a build that is there already, so that nothing is compiled twice.
+PLUMB_PYTHON_BUILD names a folder of a build that is there already (build/python), so that nothing is compiled twice.
 """
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -23,14 +24,18 @@ class BuildByCMake(build_ext):
     """The extension is a target of the tree's CMake."""
 
     def build_extension(self, ext: Extension) -> None:
-        place = Path(self.get_ext_fullpath(ext.name)).resolve().parent
-        place.mkdir(parents=True, exist_ok=True)
-        folder = Path(os.environ.get("PLUMB_PYTHON_BUILD", Path(self.build_temp).resolve() / "cmake"))
-        subprocess.run(
-            ["cmake", "--preset", "python", "-B", str(folder), f"-DPython3_EXECUTABLE={sys.executable}",
-             f"-DPLUMB_PYTHON_PLACE={place}"],
-            cwd=TREE, check=True)
-        subprocess.run(["cmake", "--build", str(folder), "--target", "plumb_python"], cwd=TREE, check=True)
+        to = Path(self.get_ext_fullpath(ext.name)).resolve()
+        there = os.environ.get("PLUMB_PYTHON_BUILD")
+        folder = Path(there).resolve() if there else MADE / "cmake"
+        if not there:
+            subprocess.run(["cmake", "--preset", "python", "-B", str(folder), f"-DPython3_EXECUTABLE={sys.executable}"],
+                           cwd=TREE, check=True)
+        subprocess.run(["cmake", "--build", str(folder), "--target", "plumb_python"], check=True)
+        made = folder / "src" / "python" / "plumb" / to.name
+        if not made.exists():
+            sys.exit(f"plumb: {made} is not there: {folder} is of another Python than {sys.executable}")
+        to.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(made, to)
 
 
 setup(
