@@ -117,6 +117,11 @@ auto balls_of(const Point& point) {
   return std::visit(balls, point.as());
 }
 
+template <class Point>
+bool is_rational(const Point& point) {
+  return std::visit([](const auto& p) { return RationalPoint<std::remove_cvref_t<decltype(p)>>; }, point.as());
+}
+
 /// Looks which coordinates are doubles.
 template <std::size_t N, class Point>
 void settle_axes(const Point& point) {
@@ -140,7 +145,8 @@ template <std::size_t N, class Value, class... Points>
     settle_all(question, points...);
     if (const Unsure<Sign> s = value(in_doubles(points.cache())...).sign(); s.certain()) return s.value();
   }
-  if (!((points.cache().place() != nullptr) && ...)) {
+  // The integers of rational coordinates cost no more than their balls, and they are kept.
+  if (!((points.cache().place() != nullptr) && ...) && !(is_rational(points) || ...)) {
     CertainSigns ask;
     const Sign s = ask(value(located(balls_of(points))...));
     if (ask.certain()) return s;
@@ -186,7 +192,12 @@ auto approximate(const Point& a) {
 
 template <std::size_t N, class Point>
 auto rational_of(const Point& a) {
+  using Rationals = decltype(certify::meeting::rational(place_of(a.cache(), a)));
+  if (const auto* held = std::get_if<Rationals>(&a.as())) return *held;
   settle({"rational_point", 'a'}, a);
+  using Given = std::conditional_t<N == 2, Point2, Point3>;
+  if (const auto* given = std::get_if<Given>(&a.as()))
+    return std::apply([](auto... x) { return Rationals{Rational(x)...}; }, coordinates(*given));
   return certify::meeting::rational(place_of(a.cache(), a));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "certify/exact_coordinates.hpp"
 #include "plumb/figure/basic/box.hpp"
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
 
@@ -77,15 +78,27 @@ std::uint32_t SeenPoints::add(std::uint32_t number_in_table) {
   return at->second;
 }
 
+// With weights: of all sums of multiples of a and b, the one that is on the line cd.
 std::uint32_t SeenPoints::add_crossing(const SegmentEnds& ab, const SegmentEnds& cd) {
-  const RationalPoint2 a = rational_point(seen(ab[0])), b = rational_point(seen(ab[1])),
-                       c = rational_point(seen(cd[0])), d = rational_point(seen(cd[1]));
-  const Rational x = d.x - c.x, y = d.y - c.y;
-  const Rational at_a = x * (a.y - c.y) - y * (a.x - c.x), at_b = x * (b.y - c.y) - y * (b.x - c.x);
-  const Rational t = at_a / (at_a - at_b);
-  const RationalPoint3 from = rational_point(point(ab[0])), to = rational_point(point(ab[1]));
-  return add(table_.number_of(
-      RationalPoint3{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), from.z + t * (to.z - from.z)}));
+  using Place = certify::meeting::Weighted<BigDyadic, 3>;
+  const auto place = [this](std::uint32_t i) { return certify::meeting::coordinates_in<BigDyadic>(point(i)); };
+  const Place a = place(ab[0]), b = place(ab[1]), c = place(cd[0]), d = place(cd[1]);
+  const auto axes = view_.seen_axes();
+  const auto minor = [](const BigDyadic& p, const BigDyadic& q, const BigDyadic& r, const BigDyadic& s) {
+    return p * s - q * r;
+  };
+  // The line through c and d: x, y and weight times these are 0 in sum.
+  const BigDyadic &cx = c.at[axes[0]], &cy = c.at[axes[1]], &dx = d.at[axes[0]], &dy = d.at[axes[1]];
+  const std::array<BigDyadic, 3> line{minor(cy, c.weight, dy, d.weight), minor(c.weight, cx, d.weight, dx),
+                                      minor(cx, cy, dx, dy)};
+  const auto height = [&](const Place& p) {
+    return line[0] * p.at[axes[0]] + line[1] * p.at[axes[1]] + line[2] * p.weight;
+  };
+  const BigDyadic of_a = height(a), of_b = height(b);
+  const Place crossing{
+      {minor(a.at[0], b.at[0], of_a, of_b), minor(a.at[1], b.at[1], of_a, of_b), minor(a.at[2], b.at[2], of_a, of_b)},
+      minor(a.weight, b.weight, of_a, of_b)};
+  return add(table_.number_of(certify::meeting::rational(crossing)));
 }
 
 std::vector<std::vector<std::uint32_t>> points_along(SeenPoints& points, std::span<const SegmentEnds> segments) {

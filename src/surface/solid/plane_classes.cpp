@@ -1,6 +1,7 @@
 #include "surface/solid/plane_classes.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "plumb/predicates.hpp"
 #include "plumb/space/bvh/build.hpp"
@@ -19,6 +20,19 @@ bool is_coplanar(const FacePool& pool, const TrianglePair& pair) {
     if (orient3d(a, b, c, pool.mesh.vertices[v]) != Sign::zero) return false;
   }
   return true;
+}
+
+bool comes_before(const Point3& l, const Point3& r) { return std::tie(l.x, l.y, l.z) < std::tie(r.x, r.y, r.z); }
+
+/// Faces that share an edge see where it passes a third one alike, so that equal points are seen to be equal.
+ExactPoint3 named_alike(const ExactPoint3& p) {
+  const auto* given = std::get_if<LinePlanePoint3>(&p.as());
+  if (given == nullptr) return p;
+  std::array<Point3, 2> line{given->p, given->q};
+  std::array<Point3, 3> plane{given->a, given->b, given->c};
+  std::ranges::sort(line, comes_before);
+  std::ranges::sort(plane, comes_before);
+  return LinePlanePoint3{line[0], line[1], plane[0], plane[1], plane[2]};
 }
 
 template <class T>
@@ -64,8 +78,8 @@ std::vector<PlaneClass> find_plane_classes(const FacePool& pool, PointTable& tab
   for (std::size_t i = 0; i < across.size(); ++i) {
     const std::vector<ExactPoint3>& ends = common[i].vertices;
     if (ends.empty()) continue;
-    const std::uint32_t from = table.number_of(ends.front());
-    const std::uint32_t to = ends.size() == 1 ? from : table.number_of(ends.back());
+    const std::uint32_t from = table.number_of(named_alike(ends.front()));
+    const std::uint32_t to = ends.size() == 1 ? from : table.number_of(named_alike(ends.back()));
     const std::array<std::uint32_t, 2> chord{std::min(from, to), std::max(from, to)};
     for (const std::uint32_t face : {across[i].a, across[i].b}) {
       PlaneClass& of = classes[class_of[face]];

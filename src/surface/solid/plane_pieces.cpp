@@ -26,8 +26,7 @@ class PlaneDivider {
     const Triangles& t = made.triangles();
     std::vector<std::vector<CoveringFace>> covers(t.end() / 4);
     if (of_.faces.size() == 1) {
-      const bool opposite = !is_from_above(of_.faces[0]);
-      for (auto& c : covers) c.push_back({of_.faces[0], opposite});
+      for (auto& c : covers) c.push_back({of_.faces[0], is_opposite_[0]});
     } else {
       cover(made, along, covers);
     }
@@ -48,15 +47,31 @@ class PlaneDivider {
     return orient2d(view_.seen(a), view_.seen(b), view_.seen(c)) == Sign::positive;
   }
 
-  // The three edges of each face, counterclockwise as seen, then chords, then points.
+  // Edges and chords, each once from its smaller number on, then points.
   void collect_segments() {
-    for (const std::uint32_t face : of_.faces) {
-      auto corners = pool_.mesh.triangles[face];
-      if (!is_from_above(face)) std::swap(corners[1], corners[2]);
-      for (std::size_t k = 0; k < 3; ++k)
-        segments_.push_back({points_.add(corners[k]), points_.add(corners[(k + 1) % 3])});
+    struct Use {
+      SegmentEnds ends;
+      std::uint32_t edge;  // edge k of face i is 3 i + k, counterclockwise as seen
+      bool reversed;
+    };
+    std::vector<Use> uses;
+    const auto add = [&](std::uint32_t from, std::uint32_t to, std::uint32_t edge) {
+      const std::uint32_t a = points_.add(from), b = points_.add(to);
+      uses.push_back({{std::min(a, b), std::max(a, b)}, edge, a > b});
+    };
+    for (std::uint32_t i = 0; i < of_.faces.size(); ++i) {
+      auto corners = pool_.mesh.triangles[of_.faces[i]];
+      is_opposite_.push_back(!is_from_above(of_.faces[i]));
+      if (is_opposite_[i]) std::swap(corners[1], corners[2]);
+      for (std::uint32_t k = 0; k < 3; ++k) add(corners[k], corners[(k + 1) % 3], 3 * i + k);
     }
-    for (const auto& [a, b] : of_.chords) segments_.push_back({points_.add(a), points_.add(b)});
+    for (const auto& [a, b] : of_.chords) add(a, b, none);
+    std::ranges::sort(uses, {}, &Use::ends);
+    edges_.resize(3 * of_.faces.size());
+    for (const Use& use : uses) {
+      if (segments_.empty() || segments_.back() != use.ends) segments_.push_back(use.ends);
+      if (use.edge != none) edges_[use.edge] = {static_cast<std::uint32_t>(segments_.size() - 1), use.reversed};
+    }
     for (const std::uint32_t p : of_.points) segments_.push_back({points_.add(p), points_.add(p)});
   }
 
@@ -88,13 +103,15 @@ class PlaneDivider {
     std::vector<HalfEdge> pending;
     for (std::uint32_t i = 0; i < of_.faces.size(); ++i) {
       for (std::size_t k = 3 * i; k < 3 * i + 3; ++k) {
-        for (std::size_t j = 1; j < along[k].size(); ++j) {
-          const HalfEdge e = edge_at.at(key(rank_[along[k][j - 1]], rank_[along[k][j]]));
+        const auto& points = along[edges_[k].segment];
+        for (std::size_t j = 1; j < points.size(); ++j) {
+          const std::uint32_t a = rank_[points[j - 1]], b = rank_[points[j]];
+          const HalfEdge e = edge_at.at(edges_[k].reversed ? key(b, a) : key(a, b));
           edge_of[e] = i;
           pending.push_back(Triangles::first_of(e));
         }
       }
-      const CoveringFace by{of_.faces[i], !is_from_above(of_.faces[i])};
+      const CoveringFace by{of_.faces[i], is_opposite_[i]};
       while (!pending.empty()) {
         const HalfEdge first = pending.back();
         pending.pop_back();
@@ -111,7 +128,13 @@ class PlaneDivider {
   const PlaneClass& of_;
   const PlaneView& view_;
   SeenPoints points_;
+  struct EdgeOfFace {
+    std::uint32_t segment;
+    bool reversed;
+  };
   std::vector<SegmentEnds> segments_;
+  std::vector<EdgeOfFace> edges_;
+  std::vector<bool> is_opposite_;              // of each face
   std::vector<std::uint32_t> rank_, of_rank_;  // lexicographic ranks as seen, and back
   std::vector<ExactPoint2> ranked_;
 };

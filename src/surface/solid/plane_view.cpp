@@ -8,6 +8,11 @@
 namespace plumb::surface {
 namespace {
 
+std::array<std::size_t, 2> axes_across(int axis) {
+  const auto first = static_cast<std::size_t>(axis == 2 ? 0 : axis + 1);
+  return {first, (first + 1) % 3};
+}
+
 Sign turn_along(const std::array<Point3, 3>& p, int axis) {
   return orient2d(shadow(p[0], axis), shadow(p[1], axis), shadow(p[2], axis));
 }
@@ -20,9 +25,17 @@ Point2 shadow(const Point3& p, int axis) {
 
 ExactPoint2 shadow(const ExactPoint3& p, int axis) {
   if (const auto* given = std::get_if<Point3>(&p.as())) return shadow(*given, axis);
-  const RationalPoint3 exact = rational_point(p);
-  if (axis == 2) return RationalPoint2{exact.x, exact.y};
-  return axis == 0 ? RationalPoint2{exact.y, exact.z} : RationalPoint2{exact.z, exact.x};
+  const auto [first, second] = axes_across(axis);
+  const auto flat = [one = first, other = second](const RationalPoint3& exact) {
+    const std::array<const Rational*, 3> x{&exact.x, &exact.y, &exact.z};
+    return ExactPoint2(RationalPoint2{*x[one], *x[other]});
+  };
+  const auto* held = std::get_if<RationalPoint3>(&p.as());
+  ExactPoint2 seen = held != nullptr ? flat(*held) : flat(rational_point(p));
+  const auto& known = p.cache();
+  if (known.is_known())
+    seen.cache().keep({known.nearest(first), known.nearest(second)}, {known.is_exact(first), known.is_exact(second)});
+  return seen;
 }
 
 // This is a guess; who takes an axis of it asks for the turn along it.
@@ -51,6 +64,8 @@ PlaneView::PlaneView(const std::array<Point3, 3>& points) : points_(points) {
 }
 
 ExactPoint2 PlaneView::seen(const ExactPoint3& p) const { return shadow(p, axis_); }
+
+std::array<std::size_t, 2> PlaneView::seen_axes() const { return axes_across(axis_); }
 
 Sign PlaneView::side(const ExactPoint3& p) const {
   if (const auto* given = std::get_if<Point3>(&p.as())) return side(*given);

@@ -20,6 +20,8 @@ class PlaneView {
   /// Do the three points turn counterclockwise, as given?
   [[nodiscard]] bool is_seen_from_above() const { return !turned_; }
   [[nodiscard]] ExactPoint2 seen(const ExactPoint3& p) const;
+  /// The axis of space that the first and the second axis of what is seen is.
+  [[nodiscard]] std::array<std::size_t, 2> seen_axes() const;
   /// Positive above the plane.
   [[nodiscard]] Sign side(const ExactPoint3& p) const;
   [[nodiscard]] Sign side(const Point3& p) const;

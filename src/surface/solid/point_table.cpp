@@ -1,7 +1,9 @@
 #include "surface/solid/point_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
+#include <utility>
 
 #include "surface/planar/triangles.hpp"
 
@@ -11,9 +13,12 @@ ExactPoint3 in_plain_form(const ExactPoint3& p) {
   if (const auto* given = std::get_if<Point3>(&p.as())) return Point3{given->x + 0.0, given->y + 0.0, given->z + 0.0};
   RationalPoint3 exact = rational_point(p);
   const Point3 nearest = approximate(p);
-  if (exact == RationalPoint3{nearest.x, nearest.y, nearest.z})
-    return Point3{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
-  return exact;
+  const std::array<bool, 3> is_double{exact.x == Rational(nearest.x), exact.y == Rational(nearest.y),
+                                      exact.z == Rational(nearest.z)};
+  if (is_double[0] && is_double[1] && is_double[2]) return Point3{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
+  ExactPoint3 plain(std::move(exact));
+  plain.cache().keep({nearest.x, nearest.y, nearest.z}, is_double);  // so that its copies have them
+  return plain;
 }
 
 std::uint32_t PointTable::given_number(const Point3& p) const {
