@@ -253,6 +253,23 @@ inline const CostRow rows_of_indexes[]{
        (void)seen_from(rooms, 0, {rooms.cells()[0].mesh.vertices[0].x, 0.5, 0.25});
      },
      36, 1},
+    // bsp
+    {"build_bsp", "space/bsp/build_bsp.hpp", quartic, 200, [](const Cloud& c) { (void)build_bsp(hull_of(c.a)); }, 36,
+     1},
+    {"build_bsp of a strip", "space/bsp/build_bsp.hpp", quartic, 10,
+     [](const Cloud& c) { (void)build_bsp(c.mesh, {.kind = BspKind::node_storing}); }, 36, 1},
+    {"locate in a BspTree", "space/bsp/bsp_point.hpp", quadratic, 200,
+     [](const Cloud& c) {
+       const BspTree tree = build_bsp(hull_of(c.a));
+       for (const Point3& p : c.b) (void)locate(tree, p);
+     },
+     36, 1},
+    {"first_hit of a BspTree", "space/bsp/bsp_ray.hpp", quadratic, 500,
+     [](const Cloud& c) {
+       const BspTree tree = build_bsp(hull_of(c.a));
+       for (std::size_t i = 0; i < c.b.size(); ++i) (void)first_hit(tree, Segment3{c.b[i], c.a[i]});
+     },
+     36, 1},
     // boxes
     {"overlapping_pairs", "space/broad_phase/overlapping_pairs.hpp", quadratic, 20,
      [](const Cloud& c) {

@@ -205,6 +205,9 @@ TEST_F(KeptRows, OfMeshes) {
   ask("compact", compact, compact_other);
   ask("posed", posed, PosedMesh{other, at_rest});
   ask("posed compact", posed_compact, PosedCompactMesh{compact_other, at_rest});
+  const BspTree solids = build_bsp(ring);
+  EXPECT_KEPT(Number, leaves_at(solids, ring.vertices[0], KEPT));
+  EXPECT_KEPT(ExactPoint3, solids.corners_of(0, KEPT));
   const TriangleBatch batch = triangle_batch(ring);
   EXPECT_KEPT(Number, all_hits(Ray3{{-9, 0.01, 0.02}, {1, 0, 0}}, batch, HitRule::closed, KEPT));
 }

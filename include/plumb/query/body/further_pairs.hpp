@@ -82,6 +82,7 @@ inline constexpr auto further_pairs = std::to_array<FurtherPair>({
     {"first_hit", "Ray", "Slab3", "query/ray/restated.hpp"},
     {"first_hit", "Ray", "Shape", "query/variant/own_figure.hpp"},
     {"first_hit", "Ray", "Shape", "query/variant/questions.hpp"},
+    {"first_hit", "BspTree", "AnyRay", "space/bsp/bsp_ray.hpp"},
     {"first_hit", "Bvh", "AnyRay", "space/coherence/last_answer.hpp"},
     {"first_hit", "SplitTree<Figure>", "SplitTree<Figure>::Ray", "space/kd_tree/split_ray.hpp"},
     {"first_hit", "SplitTree<Figure>", "SplitTree<Figure>::Segment", "space/kd_tree/split_ray.hpp"},
