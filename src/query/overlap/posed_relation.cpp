@@ -16,6 +16,7 @@
 #include "query/convex/cap_relation.hpp"
 #include "query/convex/ellipsoid_pair.hpp"
 #include "query/convex/exact_gap.hpp"
+#include "query/convex/posed_boxes.hpp"
 #include "query/convex/posed_set.hpp"
 #include "query/convex/search.hpp"
 #include "query/convex/separating_axes.hpp"
@@ -239,6 +240,7 @@ std::optional<Relation> relate_posed_quickly(const PosedView& a, const PosedView
 }  // namespace
 
 Relation relate_posed(std::string_view function, const PosedView& a, const PosedView& b) {
+  if (const auto found = relate_posed_boxes(a, b)) return *found;
   if (function == name_of(Question::intersects)) {
     if (const auto meet = meet_by_search(a, b)) return *meet ? Relation::touching : Relation::disjoint;
   } else if (const auto found = relate_by_search(a, b)) {
