@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
@@ -11,6 +12,7 @@
 #include "query/contact/corner_numbers.hpp"
 #include "query/contact/quick_match.hpp"
 #include "query/contact/quick_numbers.hpp"
+#include "query/contact/upright.hpp"
 
 namespace plumb::query {
 namespace {
@@ -167,6 +169,11 @@ ContactCorners widest(const ContactCorners& all, std::size_t at_most) {
   return some;
 }
 
+std::optional<ContactManifold> thinned(std::optional<ContactManifold> m, const ContactManifoldOptions& options) {
+  if (m && options.at_most > 0 && m->corners.size() > options.at_most) m->corners = widest(m->corners, options.at_most);
+  return m;
+}
+
 void require_margin(std::string_view function, double margin) {
   const auto named = [&](const char* what) { return std::string(function).append(": margin ").append(what); };
   if (!(margin - margin == 0)) throw NonFinite(named("is not a real number; give a finite double"));
@@ -178,6 +185,9 @@ void require_margin(std::string_view function, double margin) {
 std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, const ContactManifoldOptions& options,
                                           ContactCache* cache) {
   require_margin("contact", options.margin);
+  if (UprightContact quick = upright_contact(a, b, options.margin); quick.is_known) {
+    return thinned(std::move(quick.manifold), options);
+  }
   Pair pair("contact", a, b, options.margin, cache);
   std::optional<ContactManifold> m;
   const auto answer = [&] {
@@ -193,8 +203,7 @@ std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, 
     return true;
   };
   while (!answer()) pair.aim_again(cache);
-  if (m && options.at_most > 0 && m->corners.size() > options.at_most) m->corners = widest(m->corners, options.at_most);
-  return m;
+  return thinned(std::move(m), options);
 }
 
 std::optional<ExactContact> exact_contact_of(const BodyView& a, const BodyView& b, double margin) {

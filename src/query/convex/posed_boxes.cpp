@@ -7,6 +7,7 @@
 #include "arith/sparse_vec.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/short_dyadic.hpp"
+#include "query/body/upright_box.hpp"
 #include "query/body/weighted_pose.hpp"
 
 namespace plumb::query {
@@ -172,6 +173,16 @@ const RigidPose* rigid_pose(const AnyPoseView& by) {
   return pose != nullptr ? *pose : nullptr;
 }
 
+Relation relate_upright(const UprightBox& a, const UprightBox& b) {
+  Relation r = Relation::overlapping;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto above = b.low[k].against(a.high[k]), below = a.low[k].against(b.high[k]);
+    if (above > 0 || below > 0) return Relation::disjoint;
+    if (above == 0 || below == 0) r = Relation::touching;
+  }
+  return r;
+}
+
 /// Touching where they are level along an axis of their own and nowhere apart.
 std::optional<Relation> relate_turned_alike(const std::array<NamedBox, 2>& box, const RigidPose& a,
                                             const RigidPose& b) {
@@ -246,6 +257,9 @@ class BoxPair {
 }  // namespace
 
 std::optional<Relation> relate_posed_boxes(const PosedView& a, const PosedView& b) {
+  if (const auto p = upright_box(a)) {
+    if (const auto q = upright_box(b)) return relate_upright(*p, *q);
+  }
   const auto first = named_box(a.figure);
   if (!first) return {};
   const auto second = named_box(b.figure);

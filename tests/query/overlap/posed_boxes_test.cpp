@@ -152,10 +152,11 @@ TEST(PosedBoxes, LeavesWhatIsNoSolidBox) {
   EXPECT_FALSE(quick(good, Posed{box, RigidPose{{}, {nan, 0, 0}}}));
   EXPECT_FALSE(quick(good, Posed{box, RigidPose{{nan, 0, 0, 1}, {}}}));
   EXPECT_FALSE(quick(Posed{Aabb3{{nan, 0, 0}, {1, 1, 1}}, RigidPose{}}, good));
-  EXPECT_FALSE(quick(Posed{Aabb3{{-huge, 0, 0}, {huge, 1, 1}}, RigidPose{}}, good));
+  EXPECT_FALSE(quick(Posed{Aabb3{{-huge, 0, 0}, {huge, 1, 1}}, RigidPose{{2, 0, 0, 1}, {}}}, good));
   EXPECT_THROW(static_cast<void>(relate(good, Posed{box, RigidPose{{}, {nan, 0, 0}}})), NonFinite);
   EXPECT_THROW(static_cast<void>(relate(good, Posed{box, RigidPose{{0, 0, 0, 0}, {}}})), InvalidShape);
-  EXPECT_EQ(relate(Posed{Aabb3{{-huge, 0, 0}, {huge, 1, 1}}, RigidPose{}}, good), Relation::overlapping);
+  EXPECT_EQ(relate(Posed{Aabb3{{-huge, 0, 0}, {huge, 1, 1}}, RigidPose{{2, 0, 0, 1}, {}}}, good),
+            Relation::overlapping);
   EXPECT_EQ(relate(Posed{box, Pose{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 0}}}, good), Relation::touching);
 }
 
