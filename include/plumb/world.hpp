@@ -3,5 +3,6 @@
 // Source: docs/sections.md, chapter 2.
 #pragma once
 
-#include "plumb/world/clash.hpp"  // parts of an assembly: touching, overlapping, piercing, enclosed, duplicate
-#include "plumb/world/world.hpp"  // CollisionWorld: which pairs meet, and what has begun and ended
+#include "plumb/world/any_body.hpp"  // what stands in a world: a figure, a shared mesh, a compound of both
+#include "plumb/world/clash.hpp"     // parts of an assembly: touching, overlapping, piercing, enclosed, duplicate
+#include "plumb/world/world.hpp"     // CollisionWorld: which pairs meet, where they touch, and what has begun and ended

@@ -374,7 +374,8 @@ void check_bounds(const Source& source, std::vector<Breach>& out) {
   const auto below = [&path](const std::string& folder) {
     return path.starts_with("src/" + folder) || path.starts_with("include/plumb/" + folder);
   };
-  const bool decides = below("certify/") || below("figure/") || below("query/") || below("space/") || below("surface/");
+  const bool decides = below("certify/") || below("figure/") || below("query/") || below("space/") ||
+                       below("surface/") || below("world/");
   const bool derives = below("certify/detail/") || below("certify/proof/") || below("certify/environment.");
   if (!decides || derives || below("query/kinds/") || source.typed_bounds.empty()) return;
   out.push_back({path, "types a bound in line " + std::to_string(source.typed_bounds.front()) +

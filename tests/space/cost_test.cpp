@@ -146,7 +146,7 @@ bool says_that_nothing_is_searched(const std::string& cost) {
 TEST(Cost, IsAskedOfEachHeaderThatSearches) {
   std::set<std::string> asked;
   for (const CostRow& row : all_rows()) asked.insert(row.header);
-  for (const std::string folder : {"figure", "query", "space", "surface"}) {
+  for (const std::string folder : {"figure", "query", "space", "surface", "world"}) {
     const std::filesystem::path include(PLUMB_SOURCE_DIR "/include/plumb");
     for (const auto& entry : std::filesystem::recursive_directory_iterator(include / folder)) {
       if (entry.path().extension() != ".hpp" || entry.path().parent_path().filename() == "detail") continue;

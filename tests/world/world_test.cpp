@@ -14,39 +14,13 @@
 
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/query/variant/questions.hpp"
+#include "world/drawn_body.hpp"
 
 namespace plumb {
 namespace {
 
 using Ids = std::pair<std::uint64_t, std::uint64_t>;
 using Meetings = std::map<Ids, Relation>;
-
-/// On a coarse lattice, so that bodies touch exactly and coincide; a third of them have no inside.
-AnyFigure drawn_figure(Entropy& e) {
-  const auto at = [&e] { return Point3{double(e.within(3)), double(e.within(3)), double(e.within(2))}; };
-  const Point3 p = at(), q = at();
-  switch (e.below(7)) {
-    case 0:
-      return Aabb3{p, {p.x + double(e.below(3)), p.y + double(e.below(3)), p.z + double(e.below(3))}};
-    case 1:
-      return Sphere3{p, double(e.below(3))};
-    case 2:
-      return Segment3{p, e.coin() ? p : q};
-    case 3:
-      return Triangle3{p, e.coin() ? p : q, at()};
-    case 4:
-      return Capsule3{p, e.coin() ? p : q, double(e.below(2))};
-    case 5:
-      return Obb3{p, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {double(e.below(2)), 1, double(e.below(2))}};
-    default:
-      return Tetrahedron3{p, q, at(), e.coin() ? p : at()};
-  }
-}
-
-RigidPose drawn_pose(Entropy& e) {
-  const std::array<Rotation, 4> turns{{{1, 0, 0, 0}, {1, 0, 0, 1}, {1, 1, 0, 0}, {2, 1, -1, 3}}};
-  return {turns[e.below(4)], {double(e.within(3)), double(e.within(3)), double(e.within(1))}};
-}
 
 struct Known {
   AnyFigure figure;
@@ -110,8 +84,8 @@ void expect_events(const WorldEvents& events, const Meetings& before, const Meet
 
 void add_body(CollisionWorld& world, ByEachPair& all, std::uint64_t id, Entropy& e) {
   const BodyOptions options{std::uint32_t(1 + e.below(3)), e.below(4) == 0 ? 1U : 0xffffffffU, id};
-  AnyFigure figure = drawn_figure(e);
-  if (e.coin()) figure = figure.under(drawn_pose(e));
+  AnyFigure figure = drawn_world::figure(e);
+  if (e.coin()) figure = figure.under(drawn_world::pose(e));
   all.bodies.insert({id, Known{figure, options, world.add(figure, options)}});
 }
 
@@ -132,7 +106,7 @@ void change(CollisionWorld& world, ByEachPair& all, std::uint64_t& next_id, std:
     all.bodies.erase(id);
     std::erase_if(all.allowed, [&](const auto& row) { return row.first.first == id || row.first.second == id; });
   } else if (what == 2) {
-    body.figure = drawn_figure(e);
+    body.figure = drawn_world::figure(e);
     world.replace(body.handle, body.figure);
   } else if (what == 3) {
     const Known& other = drawn_body(all, e);
@@ -145,7 +119,7 @@ void change(CollisionWorld& world, ByEachPair& all, std::uint64_t& next_id, std:
       all.allowed.erase(ids);
     }
   } else {
-    const RigidPose pose = drawn_pose(e);
+    const RigidPose pose = drawn_world::pose(e);
     body.figure = body.figure.under(pose);
     world.move(body.handle, pose);
   }
@@ -187,7 +161,7 @@ TEST(CollisionWorld, ReplaysAsAskingEachPair) {
       expect_events(world.commit(), before, now, counts);
       EXPECT_EQ(as_meetings(world.pairs()), now);
       EXPECT_EQ(world.size(), all.bodies.size());
-      expect_overlaps(world, all, drawn_figure(e));
+      expect_overlaps(world, all, drawn_world::figure(e));
       for (const BodyHandle& handle : stale) EXPECT_THROW(static_cast<void>(world.figure(handle)), StaleHandle);
       if (::testing::Test::HasFailure()) return;
       before = now;
@@ -205,7 +179,7 @@ TEST(CollisionWorld, OrderOfInsertionChangesNothing) {
     SCOPED_TRACE("replay: Entropy(4200, " + std::to_string(run) + ")");
     Entropy e(4200, run);
     std::vector<std::pair<std::uint64_t, AnyFigure>> bodies;
-    for (std::uint64_t id = 1; id <= 20; ++id) bodies.emplace_back(id, drawn_figure(e));
+    for (std::uint64_t id = 1; id <= 20; ++id) bodies.emplace_back(id, drawn_world::figure(e));
     const auto answers = [&bodies] {
       CollisionWorld world;
       for (const auto& [id, figure] : bodies) world.add(figure, {.user_id = id});

@@ -1,22 +1,26 @@
-// Which bodies of a scene meet, and what has begun and ended since the last look?
+// Which bodies of a scene meet, where do they touch, and what has begun and ended since the last look?
 //
-//   CollisionWorld world;
+//   CollisionWorld world({.contacts = true});
 //   const BodyHandle ball = world.add(Sphere3{{0, 0, 0}, 1}, {.user_id = 7});
-//   world.add(Posed{box, RigidPose{{1, 0, 0, 1}, {2, 0, 0}}}, {.user_id = 8});
+//   world.add(Posed{box, RigidPose{{1, 0, 0, 1}, {2, 0, 0}}}, {.user_id = 8, .margin = 0.01});
 //   world.move(ball, RigidPose{{}, {1, 0, 0}});
 //   const WorldEvents& now = world.commit();    // now.begun, now.kept, now.ended
+//   for (const WorldContact& c : world.contacts()) use(c.manifold.corners);
 //   world.overlaps(region)                      // of the bodies as they stand now
 //
 // Laws: (1) after commit() pairs() are exactly the pairs whose relate is not disjoint and that no filter leaves out, as
-// if each pair were asked.  (2) begun, kept and ended are what these and those of the commit before differ by; a pair of
-// a body that was removed has ended.  (3) Answers ascend by user ids, and where these are equal by handles; where user
-// ids differ, the order of insertion changes nothing but handles.  (4) A handle names one body for ever; its slot is
-// used again with another generation.  (5) What throws leaves the world as it was.
+// if each pair were asked: of compounds and meshes those of which two parts meet.  (2) begun, kept and ended are what these
+// and those of the commit before differ by; a pair of a body that was removed has ended.  (3) contacts() are contact() of
+// each two parts of such pairs that have one within the sum of both margins, rounded; corners have begun that have not
+// been there by their name (ContactId) at the commit before.  (4) Answers ascend by user ids, and where these are equal by
+// handles; where user ids differ, the order of insertion changes nothing but handles.  (5) A handle names one body for
+// ever; its slot is used again with another generation.  (6) What throws leaves the world as it was.  (7) The answers are
+// the same on any number of threads.
 // A handle of a body that was removed, or of none, throws StaleHandle.  NonFinite and InvalidShape name the body by its
 // user id; Unsupported refuses a figure of the plane or without an end, UnevenPose one under a matrix.
-// Source: RTCD 2.4.1.
-// Cost: that of MovingBoxes for what has moved, and relate for each pair of boxes that overlap of which a body has
-// changed.  Nothing is searched but by MovingBoxes.
+// Source: RTCD 2.4.1, 2.4.2.
+// Cost: that of MovingBoxes for what has moved, and relate, and contact where it is asked for, for each pair of boxes that
+// overlap of which a body has changed.  Nothing is searched but by MovingBoxes.
 #pragma once
 
 #include <cstddef>
@@ -25,9 +29,12 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/certify/batch.hpp"
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/query/body/any_figure.hpp"
+#include "plumb/query/contact/contact.hpp"
 #include "plumb/space/broad_phase/moving_boxes.hpp"
+#include "plumb/world/any_body.hpp"
 
 namespace plumb {
 
@@ -38,10 +45,17 @@ struct StaleHandle : Error {
 
 using BodyHandle = BoxHandle;
 
-/// Two bodies are asked about if each one's mask has a bit of the other's group.
+/// Two bodies are asked about if each one's mask has a bit of the other's group, and one of them at least is not static.
 struct BodyOptions {
   std::uint32_t group = 1, mask = 0xffffffff;
   std::uint64_t user_id = 0;
+  double margin = 0;  // contacts begin this far from the body
+  bool is_static = false;
+};
+
+struct CollisionWorldOptions {
+  bool contacts = false;  // beside pairs
+  Execution execution = Execution::parallel;
 };
 
 /// a comes before b by user id, then by handle.
@@ -56,23 +70,52 @@ struct WorldEvents {
   std::vector<WorldPair> begun, kept, ended;
 };
 
+/// Which part of a body, and of a mesh which triangle, by its number; 0 where there is one alone.
+struct BodyPart {
+  std::uint32_t part = 0, triangle = 0;
+  friend auto operator<=>(const BodyPart&, const BodyPart&) = default;
+};
+
+struct WorldContact {
+  std::uint64_t id_a, id_b;
+  BodyHandle a, b;
+  BodyPart part_a, part_b;
+  ContactManifold manifold;
+};
+
+/// A corner of a contact by name.
+struct WorldCorner {
+  std::uint64_t id_a, id_b;
+  BodyHandle a, b;
+  BodyPart part_a, part_b;
+  ContactId id;
+  friend bool operator==(const WorldCorner&, const WorldCorner&) = default;
+};
+
+/// All corners of contacts() that have not begun were there before.
+struct WorldContactEvents {
+  std::vector<WorldCorner> begun, ended;
+};
+
 class CollisionWorld {
  public:
-  CollisionWorld();
+  explicit CollisionWorld(const CollisionWorldOptions& options = {});
   CollisionWorld(CollisionWorld&&) noexcept;
   CollisionWorld& operator=(CollisionWorld&&) noexcept;
   ~CollisionWorld();
 
-  /// A bounded figure of space, as it stands or under a rigid pose or a chain of them.
-  BodyHandle add(const AnyFigure& figure, const BodyOptions& options = {});
-  /// The pose takes the place of that which the figure had.
+  /// A bounded figure of space, a mesh, or a compound of both, as it stands or under a rigid pose or a chain of them.
+  BodyHandle add(const AnyBody& body, const BodyOptions& options = {});
+  /// The pose takes the place of that which the body had.
   void move(const BodyHandle& body, const RigidPose& pose);
-  /// Another figure, by the same handle, options and events.
-  void replace(const BodyHandle& body, const AnyFigure& figure);
+  /// Another body, by the same handle, options and events.
+  void replace(const BodyHandle& body, const AnyBody& by);
   void remove(const BodyHandle& body);
 
   [[nodiscard]] bool contains(const BodyHandle& body) const;
   [[nodiscard]] std::size_t size() const;
+  /// Where it stands; of a mesh or compound figure() throws Unsupported.
+  [[nodiscard]] AnyBody body(const BodyHandle& body) const;
   [[nodiscard]] const AnyFigure& figure(const BodyHandle& body) const;
   [[nodiscard]] const BodyOptions& options(const BodyHandle& body) const;
 
@@ -93,6 +136,10 @@ class CollisionWorld {
   const WorldEvents& commit();
   /// All that meet, as of the last commit.
   [[nodiscard]] const std::vector<WorldPair>& pairs() const;
+  /// As of the last commit, by pair and then by part; of two parts that contact() has no answer for there is none.  A
+  /// world that keeps no contacts throws Unsupported.
+  [[nodiscard]] const std::vector<WorldContact>& contacts() const;
+  [[nodiscard]] const WorldContactEvents& contact_events() const;
 
   /// The bodies that have a point in the figure, as they stand now, whose group has a bit of the mask.
   [[nodiscard]] std::vector<BodyHandle> overlaps(const AnyFigure& figure, std::uint32_t mask = 0xffffffff) const;

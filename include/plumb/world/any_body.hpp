@@ -1,0 +1,73 @@
+// What stands in a world as one?  A figure, a mesh that several may share, or a compound of both, under one pose.
+//
+//   AnyBody ball = Sphere3{{0, 0, 0}, 1};
+//   const SharedMesh rock(mesh);                                     // its tree is made once
+//   AnyBody boulder(rock, RigidPose{turn, {5, 0, 0}});
+//   AnyBody table = AnyBody::compound({top, leg, AnyBody(leg_figure, RigidPose{{}, {3, 0, 0}})});
+//
+// Laws: (1) a body is the union of its parts, each under its own pose and then under that of the body, exactly.  (2) A mesh
+// is its triangles: a surface, of which nothing is inside.  (3) Copies share what is large.
+// A mesh of no triangles and a compound of no parts throw InvalidShape, a pose that is neither rigid nor a chain of such
+// UnevenPose, for a mesh and for the parts of a compound.
+// Source: RTCD 2.2.2, 2.2.4.
+// Cost: that of the tree for a mesh, once.  Nothing is searched.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "plumb/figure/basic/mesh.hpp"
+#include "plumb/query/body/any_figure.hpp"
+#include "plumb/space/bvh/bvh.hpp"
+
+namespace plumb {
+
+/// A mesh with its tree, which never changes.
+class SharedMesh {
+ public:
+  explicit SharedMesh(const TriangleMesh& mesh);
+  explicit SharedMesh(Bvh bvh);
+
+  [[nodiscard]] const Bvh& bvh() const;
+  /// By its number in the mesh.
+  [[nodiscard]] Triangle3 triangle(std::uint32_t number) const;
+  /// Around all of it.
+  [[nodiscard]] const Aabb3& box() const;
+  friend bool operator==(const SharedMesh&, const SharedMesh&) = default;
+
+ private:
+  struct Kept;
+  std::shared_ptr<const Kept> kept_;
+};
+
+class AnyBody {
+ public:
+  struct Part {
+    std::variant<AnyFigure, SharedMesh> shape;
+    AnyPose pose{};  // of a mesh in the body; a figure has its own
+  };
+
+  template <PosedOrNot Shape>
+  AnyBody(const Shape& s) : AnyBody(AnyFigure(s)) {}  // NOLINT: a figure is one
+  AnyBody(const AnyFigure& figure);                   // NOLINT
+  AnyBody(const SharedMesh& mesh);                    // NOLINT: and so is a mesh
+  AnyBody(const SharedMesh& mesh, const AnyPose& pose);
+
+  static AnyBody compound(const std::vector<AnyBody>& parts);
+
+  /// What another one told of itself.
+  static AnyBody of(std::vector<Part> parts, const AnyPose& pose);
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+  [[nodiscard]] const AnyPose& pose() const { return pose_; }
+  /// The same parts elsewhere.
+  [[nodiscard]] AnyBody under(const AnyPose& pose) const;
+
+ private:
+  AnyBody() = default;
+  std::vector<Part> parts_;
+  AnyPose pose_;
+};
+
+}  // namespace plumb

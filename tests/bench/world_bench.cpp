@@ -1,0 +1,90 @@
+// How long does a frame of a world take?  Ten thousand cubes in stacks of ten, each resting on the one below, all of
+// which are moved: pairs alone, and pairs with contacts, exact, on one thread; and Bullet's collision world, which keeps
+// its manifolds from frame to frame.
+//
+// Scenes: `upright`, where no cube is turned; `turned`, each by its own angle about the upright axis.  `one_moves`: of all
+// of them one cube alone.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <vector>
+
+#include "plumb/world.hpp"
+#ifdef PLUMB_BENCH_WORLD_RIVALS
+#include "bench/rivals/world/rival.hpp"
+#endif
+
+namespace plumb {
+namespace {
+
+constexpr std::size_t stacks = 1000, high = 10;
+
+/// Of cube k of stack i: where it stands in a frame, and the tangent of half its angle.
+std::array<double, 4> place(std::size_t i, std::size_t k, std::size_t frame, bool is_turned) {
+  const double turn = is_turned ? static_cast<double>((k * 7 + i) % 8) * 0.125 : 0;
+  return {static_cast<double>(i % 32) * 1.8 + static_cast<double>(frame % 16) * 0.01, static_cast<double>(i / 32) * 1.8,
+          static_cast<double>(k), turn};
+}
+RigidPose pose_at(const std::array<double, 4>& at) { return {{1, 0, 0, at[3]}, {at[0], at[1], at[2]}}; }
+
+void frames(benchmark::State& state, bool has_contacts, bool is_turned) {
+  CollisionWorld world({.contacts = has_contacts, .execution = Execution::serial});
+  std::vector<BodyHandle> cubes;
+  for (std::size_t n = 0; n < stacks * high; ++n) {
+    cubes.push_back(
+        world.add(Posed{Aabb3{{-0.5, -0.5, 0}, {0.5, 0.5, 1}}, pose_at(place(n / high, n % high, 0, is_turned))},
+                  {.user_id = n}));
+  }
+  world.commit();
+  std::size_t frame = 0, corners = 0;
+  for (auto _ : state) {
+    ++frame;
+    for (std::size_t n = 0; n < cubes.size(); ++n) {
+      world.move(cubes[n], pose_at(place(n / high, n % high, frame, is_turned)));
+    }
+    benchmark::DoNotOptimize(world.commit());
+  }
+  if (has_contacts) {
+    for (const WorldContact& c : world.contacts()) corners += c.manifold.corners.size();
+  }
+  state.counters["pairs"] = static_cast<double>(world.pairs().size());
+  state.counters["corners"] = static_cast<double>(corners);
+}
+BENCHMARK_CAPTURE(frames, pairs / upright, false, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, contacts / upright, true, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, pairs / turned, false, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, contacts / turned, true, true)->Unit(benchmark::kMillisecond);
+
+void one_moves(benchmark::State& state) {
+  CollisionWorld world({.contacts = true, .execution = Execution::serial});
+  std::vector<BodyHandle> cubes;
+  for (std::size_t n = 0; n < stacks * high; ++n) {
+    cubes.push_back(world.add(
+        Posed{Aabb3{{-0.5, -0.5, 0}, {0.5, 0.5, 1}}, pose_at(place(n / high, n % high, 0, false))}, {.user_id = n}));
+  }
+  world.commit();
+  std::size_t frame = 0;
+  for (auto _ : state) {
+    world.move(cubes[5], pose_at(place(0, 5, ++frame, false)));
+    benchmark::DoNotOptimize(world.commit());
+  }
+}
+BENCHMARK(one_moves)->Unit(benchmark::kMillisecond);
+
+#ifdef PLUMB_BENCH_WORLD_RIVALS
+void bullet(benchmark::State& state, bool is_turned) {
+  rivals::BulletCubes cubes(stacks * high);
+  std::size_t frame = 0, points = 0;
+  for (auto _ : state) {
+    ++frame;
+    for (std::size_t n = 0; n < stacks * high; ++n) cubes.place(n, place(n / high, n % high, frame, is_turned));
+    points = cubes.detect();
+  }
+  state.counters["corners"] = static_cast<double>(points);
+}
+BENCHMARK_CAPTURE(bullet, upright, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(bullet, turned, true)->Unit(benchmark::kMillisecond);
+#endif
+
+}  // namespace
+}  // namespace plumb
