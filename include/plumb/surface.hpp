@@ -8,6 +8,7 @@
 #include "plumb/figure/basic/mesh.hpp"                   // TriangleMesh, PolygonMesh
 #include "plumb/surface/file/decimal.hpp"                // which double a decimal is
 #include "plumb/surface/file/mesh_file.hpp"              // formats, and MeshFileError
+#include "plumb/surface/file/read_assembly.hpp"          // parts of a file by their names
 #include "plumb/surface/file/read_mesh.hpp"              // OBJ, OFF, STL, PLY, 3MF, glTF, packed or not
 #include "plumb/surface/file/write_mesh.hpp"             // to a file, or to text
 #include "plumb/surface/parts/convex_parts.hpp"          // solids into convex ones

@@ -5,4 +5,5 @@
 
 #include "plumb/world/any_body.hpp"  // what stands in a world: a figure, a shared mesh, a compound of both
 #include "plumb/world/clash.hpp"     // parts of an assembly: touching, overlapping, piercing, enclosed, duplicate
+#include "plumb/world/clashes.hpp"   // all such pairs of many parts
 #include "plumb/world/world.hpp"     // CollisionWorld: which pairs meet, where they touch, and what has begun and ended

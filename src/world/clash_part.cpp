@@ -41,7 +41,7 @@ bool is_plainly_closed(const TriangleMesh& mesh) {
   return !has_equal_points(mesh.vertices);
 }
 
-/// A point of each component: a corner of its first triangle that has an area, or where it need not bound, of any.
+/// A vertex of each component: a corner of its first triangle that has an area, or where it need not bound, of any.
 ClashPart::Shells shells_by_number(const TriangleMesh& mesh, bool must_bound) {
   const Components all = connected_components(mesh);
   std::vector<std::uint32_t> number(all.count, ClashPart::no_shell);
@@ -51,24 +51,24 @@ ClashPart::Shells shells_by_number(const TriangleMesh& mesh, bool must_bound) {
     if (of != ClashPart::no_shell) continue;
     const auto& [a, b, c] = mesh.triangles[t];
     if (must_bound && collinear(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c])) continue;
-    of = static_cast<std::uint32_t>(shells.points.size());
-    shells.points.push_back(mesh.vertices[a]);
+    of = static_cast<std::uint32_t>(shells.vertices.size());
+    shells.vertices.push_back(a);
   }
   for (const std::uint32_t component : all.of) shells.of.push_back(number[component]);
   return shells;
 }
 
 /// Components of what is left where equal points are one and nothing cancels.
-ClashPart::Shells shells_of_pool(const surface::FacePool& pool, std::size_t triangles) {
+ClashPart::Shells shells_of_pool(const surface::FacePool& pool, const TriangleMesh& mesh) {
   surface::DisjointSets sets(pool.mesh.vertices.size());
   for (const auto& [a, b, c] : pool.mesh.triangles) sets.unite(a, b), sets.unite(b, c);
   std::vector<std::uint32_t> number(pool.mesh.vertices.size(), ClashPart::no_shell);
-  ClashPart::Shells shells{std::vector<std::uint32_t>(triangles, ClashPart::no_shell), {}};
+  ClashPart::Shells shells{std::vector<std::uint32_t>(mesh.triangles.size(), ClashPart::no_shell), {}};
   for (std::uint32_t f = 0; f < pool.mesh.triangles.size(); ++f) {
     const std::uint32_t first = sets.find(pool.mesh.triangles[f][0]);
     if (number[first] == ClashPart::no_shell) {
-      number[first] = static_cast<std::uint32_t>(shells.points.size());
-      shells.points.push_back(pool.mesh.vertices[first]);
+      number[first] = static_cast<std::uint32_t>(shells.vertices.size());
+      shells.vertices.push_back(mesh.triangles[pool.uses_of(f).front().face.triangle][0]);
     }
     for (const FacetSource& use : pool.uses_of(f)) shells.of[use.face.triangle] = number[first];
   }
@@ -89,7 +89,7 @@ ClashPart::ClashPart(TriangleMesh mesh, Execution execution) : mesh_(std::move(m
   try {
     const surface::FacePool pool = surface::pool_faces({&mesh_, 1});
     solid_ = !pool.mesh.triangles.empty();
-    if (solid_) shells_ = shells_of_pool(pool, mesh_.triangles.size());
+    if (solid_) shells_ = shells_of_pool(pool, mesh_);
   } catch (const UnbalancedEdge&) {
   }
   if (!solid_) shells_ = shells_by_number(mesh_, false);

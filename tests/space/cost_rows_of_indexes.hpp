@@ -388,6 +388,11 @@ inline const CostRow rows_of_indexes[]{
        const std::string text = format_mesh(to_polygons(c.mesh), MeshFormat::stl);
        (void)parse_mesh(text, MeshFormat::stl, "mesh");
      }},
+    {"read_assembly", "surface/file/read_assembly.hpp", sorting, 20,
+     [](const Cloud& c) {
+       const std::string text = format_mesh(to_polygons(c.mesh), MeshFormat::obj);
+       (void)parse_assembly(text, "parts.obj");
+     }},
     {"format_mesh", "surface/file/write_mesh.hpp", linear, 20,
      [](const Cloud& c) { (void)format_mesh(to_polygons(c.mesh), MeshFormat::obj); }},
     {"triangulate", "surface/planar/triangulate.hpp", quadratic, 20,
@@ -443,6 +448,15 @@ inline const CostRow rows_of_indexes[]{
      }},
     {"find_clash", "world/clash.hpp", quartic, 8000,
      [](const Cloud& c) { (void)find_clash(ClashPart(hull_of(c.a)), ClashPart(hull_of(c.b))); }},
+    {"find_clashes", "world/clashes.hpp", quadratic, 100,
+     [](const Cloud& c) {
+       std::vector<TriangleMesh> parts;
+       for (const Aabb3& box : c.boxes) {
+         TriangleMesh mesh{{box.min, {box.max.x, box.min.y, box.min.z}, box.max}, {{0, 1, 2}}};
+         parts.push_back(std::move(mesh));
+       }
+       (void)find_clashes(parts);
+     }},
     {"unite", "surface/solid/boolean.hpp", quartic, 3000,
      [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }},
     {"merge_pieces", "surface/solid/merge_pieces.hpp", quadratic, 200,

@@ -52,11 +52,11 @@ class ClashPart {
  public:
   explicit ClashPart(TriangleMesh mesh, Execution execution = Execution::parallel);
 
-  /// A component over vertices, and a point of it; components that bound nothing have none.
+  /// A component over vertices, and a vertex of it; components that bound nothing have none.
   static constexpr std::uint32_t no_shell = 0xffffffff;
   struct Shells {
-    std::vector<std::uint32_t> of;  // each triangle
-    std::vector<Point3> points;     // of each shell
+    std::vector<std::uint32_t> of;        // each triangle
+    std::vector<std::uint32_t> vertices;  // of each shell
   };
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "plumb/figure/basic/mesh.hpp"
 #include "plumb/surface/file/decimal.hpp"
@@ -15,6 +17,25 @@
 #include "surface/file/mesh_failure.hpp"
 
 namespace plumb::surface {
+
+/// Where parts of a file begin, for readers that want them apart.
+struct FileParts {
+  enum class Kind : unsigned char {
+    object,
+    group,
+    placed
+  };  // what OBJ's `o` and `g` name, and what a node or item places
+  struct Start {
+    Kind kind;
+    std::string name;
+    std::size_t face;  // of the mesh: the first
+  };
+  struct Unread {
+    std::string name, why;
+  };
+  std::vector<Start> starts;
+  std::vector<Unread> unread;  // whose faces are left out
+};
 
 struct Parse {
   std::string_view bytes, file;
@@ -25,6 +46,7 @@ struct Parse {
   PolygonMesh mesh{};
   LoadReport report{};
   DecimalReader decimals{};
+  FileParts* parts = nullptr;  // where they are wanted
 
   [[nodiscard]] bool lenient() const { return options.strictness == Strictness::lenient; }
 
@@ -33,6 +55,29 @@ struct Parse {
   void pass_over_in_line(std::string_view what, std::uint64_t line, std::string_view found);
   /// The same at a byte, of a lenient reading.
   void pass_over_at_byte(std::string_view what, std::uint64_t byte, const std::string& found);
+
+  /// A part begins with the next face.
+  void begin_part(FileParts::Kind kind, std::string_view name) {
+    if (parts != nullptr) parts->starts.push_back({kind, std::string(name), mesh.first.size() - 1});
+  }
+  /// Calls read(), which puts a part of that name at the mesh's end.  Where parts are wanted and this one cannot be read,
+  /// it is left out and noted.
+  template <class Read>
+  void read_part(const std::string& name, const Read& read) {
+    if (parts == nullptr) return read();
+    const std::size_t vertices = mesh.vertices.size(), corners = mesh.corners.size(), faces = mesh.first.size();
+    begin_part(FileParts::Kind::placed, name);
+    try {
+      read();
+    } catch (const MeshFileError& e) {
+      if (e.problem == MeshFileProblem::too_large) throw;
+      mesh.vertices.resize(vertices);
+      mesh.corners.resize(corners);
+      mesh.first.resize(faces);
+      parts->starts.pop_back();
+      parts->unread.push_back({name, e.what()});
+    }
+  }
 
   /// Ends the face whose corners were put at the end of mesh.corners; drops it when they are fewer than three.
   void end_face() {
@@ -54,6 +99,11 @@ void parse_stl(Parse& parse);
 void parse_ply(Parse& parse);
 void parse_3mf(Parse& parse);
 void parse_gltf(Parse& parse);
+
+/// read_polygon_mesh, and where its parts begin.
+PolygonMesh read_parts(const std::string& path, FileParts& parts, LoadReport* report, const ReadOptions& options);
+PolygonMesh parse_parts(std::string_view bytes, const std::string& name, FileParts& parts, LoadReport* report,
+                        const ReadOptions& options);
 
 /// What a file of so many bytes may unpack to.
 std::uint64_t unpacked_limit(std::uint64_t packed, const ReadOptions& options);

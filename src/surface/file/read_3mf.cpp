@@ -148,11 +148,14 @@ class Package {
     assembly_.charge(1, sizeof(Placement));
     const Placement placement = outer * transform(in, reference, who);
     if (const xml_node mesh = child(node, "mesh")) {
-      const ObjectMesh& m = mesh_of(of, node, mesh, named);
-      if (m.triangles.empty()) return;
-      ++parse_.report.parts;
-      const std::uint32_t first = assembly_.place(m.vertices, placement, in_quotes(of.path) + ": " + named);
-      assembly_.add(m.triangles, first, placement);
+      const std::string_view called = attribute(node, "name");
+      parse_.read_part(called.empty() ? "object " + std::string(id) : std::string(called), [&] {
+        const ObjectMesh& m = mesh_of(of, node, mesh, named);
+        if (m.triangles.empty()) return;
+        ++parse_.report.parts;
+        const std::uint32_t first = assembly_.place(m.vertices, placement, in_quotes(of.path) + ": " + named);
+        assembly_.add(m.triangles, first, placement);
+      });
     }
     open_.push_back(node);
     for (const xml_node& component : child(node, "components").children())
@@ -183,9 +186,9 @@ class Package {
   }
 
   const ObjectMesh& mesh_of(const Model& in, const xml_node& object, const xml_node& mesh, const std::string& named) {
-    const auto [known, is_new] = meshes_.try_emplace(object.internal_object());
-    ObjectMesh& m = known->second;
-    if (!is_new) return m;
+    const auto known = meshes_.find(object.internal_object());
+    if (known != meshes_.end()) return known->second;
+    ObjectMesh m;  // kept when it is whole
     for (const xml_node& v : child(mesh, "vertices").children()) {
       if (local_name(v.name()) != "vertex") continue;
       Point3& p = m.vertices.emplace_back();
@@ -214,7 +217,7 @@ class Package {
                    ", the vertices there are; export it again");
       }
     }
-    return m;
+    return meshes_.emplace(object.internal_object(), std::move(m)).first->second;
   }
 
   Parse& parse_;

@@ -73,7 +73,8 @@ class GltfScene {
     const std::string where = at("nodes", index);
     const Json& node = document_.element("nodes", index, named_by);
     if (reached_[index])
-      fail(MeshFileProblem::syntax, where, "is reached twice, expected a tree of nodes; export it again");
+      fail(MeshFileProblem::syntax, where,
+           "is reached twice (" + in_quotes(name_of(node, index)) + "), expected a tree of nodes; export it again");
     reached_[index] = true;
     if (depth == deepest_part)
       fail(MeshFileProblem::unsupported, where,
@@ -82,8 +83,23 @@ class GltfScene {
         extensions != node.end() && extensions->is_object() && extensions->contains("EXT_mesh_gpu_instancing"))
       fail(MeshFileProblem::unsupported, where, "has EXT_mesh_gpu_instancing, which is not read; bake the instances");
     const Placement placement = outer * placement_of(node, where);
-    if (node.contains("mesh")) place(document_.whole(node, "mesh", where), where, placement);
+    if (node.contains("mesh"))
+      parse_.read_part(name_of(node, index), [&] { place(document_.whole(node, "mesh", where), where, placement); });
     walk(node, "children", where, placement, depth + 1);
+  }
+
+  /// The node's name, or that of its mesh, or its number.
+  std::string name_of(const Json& node, std::uint64_t index) const {
+    const auto named = [](const Json& of) {
+      const auto name = of.find("name");
+      return name != of.end() && name->is_string() ? name->get<std::string>() : std::string();
+    };
+    std::string name = named(node);
+    const auto mesh = node.find("mesh");
+    if (name.empty() && mesh != node.end() && mesh->is_number_unsigned() &&
+        mesh->get<std::uint64_t>() < document_.size("meshes"))
+      name = named(document_.element("meshes", mesh->get<std::uint64_t>(), at("nodes", index)));
+    return name.empty() ? at("nodes", index) : name;
   }
 
   Placement placement_of(const Json& node, const std::string& where) const {

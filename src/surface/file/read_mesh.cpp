@@ -141,19 +141,22 @@ void parse_leniently(surface::Parse& parse) {
     parse_format(parse);
   } catch (const MeshFileError&) {
     parse = fresh;
+    if (parse.parts != nullptr) *parse.parts = {};
     parse_format(parse);
   }
 }
 
 // `packed` is the size of the file that the bytes came from.
 PolygonMesh parse_as(std::string_view bytes, MeshFormat format, std::string_view name, LoadReport* report,
-                     const ReadOptions& options, std::uint64_t packed, const std::filesystem::path& folder) {
+                     const ReadOptions& options, std::uint64_t packed, const std::filesystem::path& folder,
+                     surface::FileParts* parts = nullptr) {
   require_bytes(bytes, name);
   surface::Parse parse{.bytes = bytes, .file = name};
   parse.limit = surface::unpacked_limit(packed, options);
   parse.folder = folder;
   parse.read = packed;
   parse.options = options;
+  parse.parts = parts;
   parse.report.format = format;
   if (parse.lenient())
     parse_leniently(parse);
@@ -169,6 +172,7 @@ PolygonMesh parse_as(std::string_view bytes, MeshFormat format, std::string_view
   said.inexact_decimals = parse.decimals.inexact();
   said.largest_move = parse.decimals.largest_move();
   if (report) *report = said;
+  if (parts != nullptr && !parts->unread.empty()) return std::move(mesh);
   const std::string kind(name_of(format));
   if (mesh.vertices.empty())
     fail_at_file(
@@ -183,16 +187,17 @@ PolygonMesh parse_as(std::string_view bytes, MeshFormat format, std::string_view
 }
 
 PolygonMesh parse_any(std::string_view bytes, const std::filesystem::path& path, LoadReport* report,
-                      const ReadOptions& options, const std::filesystem::path& folder) {
+                      const ReadOptions& options, const std::filesystem::path& folder,
+                      surface::FileParts* parts = nullptr) {
   const std::string name = path.string();
   require_bytes(bytes, name);
   const std::uint64_t size = bytes.size();
   if (!surface::is_gzip(bytes))
-    return parse_as(bytes, format_of(path, bytes, name), name, report, options, size, folder);
+    return parse_as(bytes, format_of(path, bytes, name), name, report, options, size, folder, parts);
   const std::string unpacked = surface::gunzip(bytes, name, surface::unpacked_limit(size, options));
   require_bytes(unpacked, name);
   const auto within = surface::lower_case(path.extension().string()) == ".gz" ? path.stem() : path;
-  PolygonMesh mesh = parse_as(unpacked, format_of(within, unpacked, name), name, report, options, size, folder);
+  PolygonMesh mesh = parse_as(unpacked, format_of(within, unpacked, name), name, report, options, size, folder, parts);
   if (report) report->packed_bytes = size;
   return mesh;
 }
@@ -207,6 +212,17 @@ PolygonMesh parse_mesh(std::string_view bytes, MeshFormat format, std::string_vi
 PolygonMesh parse_mesh(std::string_view bytes, const std::string& name, LoadReport* report,
                        const ReadOptions& options) {
   return parse_any(bytes, name, report, options, {});
+}
+
+PolygonMesh surface::read_parts(const std::string& path, FileParts& parts, LoadReport* report,
+                                const ReadOptions& options) {
+  const std::filesystem::path file(path);
+  return parse_any(read_file(file), file, report, options, file.has_parent_path() ? file.parent_path() : ".", &parts);
+}
+
+PolygonMesh surface::parse_parts(std::string_view bytes, const std::string& name, FileParts& parts, LoadReport* report,
+                                 const ReadOptions& options) {
+  return parse_any(bytes, name, report, options, {}, &parts);
 }
 
 PolygonMesh read_polygon_mesh(const std::string& path, LoadReport* report, const ReadOptions& options) {

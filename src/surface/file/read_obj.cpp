@@ -64,10 +64,10 @@ void read_face(Parse& parse, TextLines& lines, std::vector<ForwardReference>& fo
 // Statements that say nothing of where a polygon's corners are.  Those that would add to the surface are not among them
 // (curves, surfaces, patches, files called), so that what is lost with them is told.
 bool is_other_statement(std::string_view word) {
-  constexpr std::array<std::string_view, 32> words{
-      "vn",     "vt",   "vp",    "g",        "o",        "s",   "l",      "p",     "usemtl",    "mtllib",    "usemap",
-      "maplib", "mg",   "bevel", "c_interp", "d_interp", "lod", "cstype", "deg",   "bmat",      "step",      "parm",
-      "trim",   "hole", "scrv",  "sp",       "end",      "con", "ctech",  "stech", "trace_obj", "shadow_obj"};
+  constexpr std::array<std::string_view, 30> words{
+      "vn",   "vt",    "vp",       "s",        "l",   "p",      "usemtl", "mtllib", "usemap",    "maplib",
+      "mg",   "bevel", "c_interp", "d_interp", "lod", "cstype", "deg",    "bmat",   "step",      "parm",
+      "trim", "hole",  "scrv",     "sp",       "end", "con",    "ctech",  "stech",  "trace_obj", "shadow_obj"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -99,6 +99,8 @@ void parse_obj(Parse& parse) {
       read_face(parse, lines, forward);
     } else if (is_name(keyword) && lines.is_joined()) {
       parse.pass_over_in_line("lines joined to a name by a backslash", lines.line(), lines.rest());
+    } else if (keyword == "o" || keyword == "g") {
+      parse.begin_part(keyword == "o" ? FileParts::Kind::object : FileParts::Kind::group, lines.rest());
     } else if (!is_other_statement(keyword)) {
       if (keyword.find('\0') != std::string_view::npos)
         lines.fail(MeshFileProblem::syntax, "found binary data " + in_quotes(keyword) +
