@@ -21,5 +21,6 @@ void add_solids(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
 void add_topology(pybind11::module_& module);
 void add_generated(pybind11::module_& module);
+void add_fuzzing(pybind11::module_& module);
 
 }  // namespace plumb::python

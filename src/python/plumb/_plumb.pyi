@@ -1,7 +1,7 @@
 """The stubs of the module; tests/python/test_documents.py holds them against it."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -772,6 +772,17 @@ def symmetric_difference(*meshes: Mesh, merge: bool = False) -> answers.Combined
 def sections(mesh: Mesh, planes: Sequence[Figure], *, on_plane: str = "above") -> list[list[answers.Contour]]: ...
 
 _generated_classes: tuple[str, ...]
+_fuzz_kinds: dict[str, str]
 
 def _generate(name: str, choices: bytes) -> Any: ...
 def _generate_pair(first: str, second: str, choices: bytes) -> Any: ...
+def _fuzz(
+    function: Callable[..., Any],
+    kind: str,
+    seed: int,
+    cases: int,
+    generators: Sequence[str],
+    ulps: int | None,
+    largest: float,
+    progress: Callable[[int], Any] | None,
+) -> tuple[list[Any], list[Any], str]: ...
