@@ -51,21 +51,21 @@ struct TwoBoxes {
 };
 
 template <class T>
-T sum_of(const std::array<double, 2>& two) {
+T sum_of_two(const std::array<double, 2>& two) {
   return sparse_sum(T(two[0]), T(two[1]));
 }
 template <class T>
-Vec3<T> sum_of(const std::array<std::array<double, 2>, 3>& two) {
-  return {sum_of<T>(two[0]), sum_of<T>(two[1]), sum_of<T>(two[2])};
+Vec3<T> sum_of_two(const std::array<std::array<double, 2>, 3>& two) {
+  return {sum_of_two<T>(two[0]), sum_of_two<T>(two[1]), sum_of_two<T>(two[2])};
 }
 template <class T>
-Vec3<T> turned_by(const WeightedPose<T>& pose, const Vec3<T>& v) {
+Vec3<T> turned_under(const WeightedPose<T>& pose, const Vec3<T>& v) {
   const auto& [x, y, z] = pose.columns;
   return sparse_sum(sparse_sum(sparse_scaled(x, v.x), sparse_scaled(y, v.y)), sparse_scaled(z, v.z));
 }
 
 template <class T>
-T magnitude_of(const T& x) {
+T without_sign(const T& x) {
   if constexpr (std::is_same_v<T, Running>) {
     return magnitude(x);
   } else if constexpr (std::is_same_v<T, BigDyadic>) {
@@ -84,17 +84,17 @@ struct OwnGap {
       : gap(0.0), reach(0.0) {
     const Vec3<T> way = sparse_difference(arith::vec<T>(b.translation), arith::vec<T>(a.translation));
     const T weight(turn.weight), along = sparse_dot(arith::vec<T>(turn.columns[k]), way);
-    const T middles = sparse_difference(sum_of<T>(box[1].middle[k]), sum_of<T>(box[0].middle[k]));
-    reach = sparse_sum(sum_of<T>(box[0].length[k]), sum_of<T>(box[1].length[k]));
+    const T middles = sparse_difference(sum_of_two<T>(box[1].middle[k]), sum_of_two<T>(box[0].middle[k]));
+    reach = sparse_sum(sum_of_two<T>(box[0].length[k]), sum_of_two<T>(box[1].length[k]));
     if (turn.weight != 1) reach = sparse_product(reach, weight);
     const T apart = sparse_sum(turn.weight == 1 ? middles : sparse_product(middles, weight), sparse_sum(along, along));
-    gap = sparse_difference(magnitude_of(apart), reach);
+    gap = sparse_difference(without_sign(apart), reach);
   }
 };
 
 /// As space sees them.
 template <class T>
-TwoBoxes<T> in_space_of_both(const std::array<NamedBox, 2>& box, const std::array<AnyPoseView, 2>& by) {
+TwoBoxes<T> as_space_sees(const std::array<NamedBox, 2>& box, const std::array<AnyPoseView, 2>& by) {
   const std::array pose{weighted_pose<T>(by[0]), weighted_pose<T>(by[1])};
   TwoBoxes<T> two;
   std::array<Vec3<T>, 2> middle;
@@ -102,17 +102,17 @@ TwoBoxes<T> in_space_of_both(const std::array<NamedBox, 2>& box, const std::arra
     const auto with_other_weight = [&](const T& x) {
       return pose[1 - i].has_weight ? sparse_product(x, pose[1 - i].weight) : x;
     };
-    const Vec3<T> given = sum_of<T>(box[i].middle);
+    const Vec3<T> given = sum_of_two<T>(box[i].middle);
     Vec3<T>& m = middle[i];
-    m = pose[i].stands ? given : turned_by(pose[i], given);
+    m = pose[i].stands ? given : turned_under(pose[i], given);
     if (!pose[i].stands) m = sparse_sum(m, sparse_sum(pose[i].translation, pose[i].translation));
     m = {with_other_weight(m.x), with_other_weight(m.y), with_other_weight(m.z)};
     for (std::size_t k = 0; k < 3; ++k) {
       // Of axes of space the image is a column.
       two.axes[i][k] = pose[i].stands      ? arith::vec<T>(box[i].axes[k])
                        : box[i].is_upright ? pose[i].columns[k]
-                                           : turned_by(pose[i], arith::vec<T>(box[i].axes[k]));
-      two.length[i][k] = with_other_weight(sum_of<T>(box[i].length[k]));
+                                           : turned_under(pose[i], arith::vec<T>(box[i].axes[k]));
+      two.length[i][k] = with_other_weight(sum_of_two<T>(box[i].length[k]));
     }
   }
   two.way = sparse_difference(middle[1], middle[0]);
@@ -125,12 +125,12 @@ struct AxisPair {
 };
 
 template <class T>
-const Vec3<T>& axis_of(const TwoBoxes<T>& two, std::size_t k) {
+const Vec3<T>& box_axis(const TwoBoxes<T>& two, std::size_t k) {
   return two.axes[k / 3][k % 3];
 }
 template <class T>
-Vec3<T> across(const TwoBoxes<T>& two, const AxisPair& of) {
-  return sparse_cross(axis_of(two, of.first), axis_of(two, of.second));
+Vec3<T> across_axes(const TwoBoxes<T>& two, const AxisPair& of) {
+  return sparse_cross(box_axis(two, of.first), box_axis(two, of.second));
 }
 /// How far they are apart along n, twice.
 template <class T>
@@ -138,29 +138,29 @@ T gap_along(const TwoBoxes<T>& two, const Vec3<T>& n, const AxisPair& of) {
   T reach(0.0);
   for (std::size_t k = 0; k < 6; ++k) {
     if (k == of.first || k == of.second) continue;  // at right angles to n
-    const T along = magnitude_of(sparse_dot(n, axis_of(two, k)));
+    const T along = without_sign(sparse_dot(n, box_axis(two, k)));
     reach = sparse_sum(reach, sparse_product(along, two.length[k / 3][k % 3]));
   }
-  return sparse_difference(magnitude_of(sparse_dot(n, two.way)), reach);
+  return sparse_difference(without_sign(sparse_dot(n, two.way)), reach);
 }
 
 template <class T>
 bool is_zero_vector(const Vec3<T>& v) {
   return certainly_zero(v.x) && certainly_zero(v.y) && certainly_zero(v.z);
 }
-bool is_solid(const Running& size) { return certain_sign(size) > 0; }
+bool is_above_zero(const Running& size) { return certain_sign(size) > 0; }
 
 /// Finite, with an inside, for certain.
-bool are_solid(const TwoBoxes<Running>& two) {
+bool are_solid_boxes(const TwoBoxes<Running>& two) {
   Running sum = magnitude(two.way.x) + magnitude(two.way.y) + magnitude(two.way.z);
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!is_solid(two.length[i][k])) return false;
+      if (!is_above_zero(two.length[i][k])) return false;
       const Vec3<Running>& axis = two.axes[i][k];
       sum = sum + two.length[i][k] + magnitude(axis.x) + magnitude(axis.y) + magnitude(axis.z);
     }
     const auto& [u, v, w] = two.axes[i];
-    if (!is_solid(magnitude(sparse_dot(sparse_cross(u, v), w)))) return false;
+    if (!is_above_zero(magnitude(sparse_dot(sparse_cross(u, v), w)))) return false;
   }
   return sum.upper() - sum.upper() == 0;
 }
@@ -191,9 +191,9 @@ std::optional<Relation> relate_turned_alike(const std::array<NamedBox, 2>& box, 
   Relation r = Relation::overlapping;
   for (std::size_t k = 0; k < 3; ++k) {
     const OwnGap<Running> near(box, a, b, *turn, k);
-    const auto is_solid = [&](std::size_t i) { return certain_sign(sum_of<Running>(box[i].length[k])) > 0; };
+    const auto is_above_zero = [&](std::size_t i) { return certain_sign(sum_of_two<Running>(box[i].length[k])) > 0; };
     const double size = near.reach.upper() + near.gap.upper();
-    if (size - size != 0 || !is_solid(0) || !is_solid(1)) return {};
+    if (size - size != 0 || !is_above_zero(0) || !is_above_zero(1)) return {};
     int gap = certain_sign(near.gap);
     if (gap == 0) {
       const Unsure<Sign> fine = OwnGap<ShortDyadic>(box, a, b, *turn, k).gap.sign();
@@ -211,7 +211,7 @@ class BoxPair {
       : box_(box), by_{a.pose, b.pose} {}
 
   std::optional<Relation> relation() {
-    if (!are_solid(near_)) return {};
+    if (!are_solid_boxes(near_)) return {};
     for (std::size_t k = 0; k < 6; ++k) {
       const std::size_t first = k / 3 * 3;
       if (is_apart({first + (k + 1) % 3, first + (k + 2) % 3})) return Relation::disjoint;
@@ -227,7 +227,7 @@ class BoxPair {
  private:
   /// Notes where they are level.
   bool is_apart(const AxisPair& of) {
-    const Vec3<Running> n = across(near_, of);
+    const Vec3<Running> n = across_axes(near_, of);
     const int quick = certain_sign(gap_along(near_, n, of));
     if (quick != 0) return quick > 0;
     if (is_zero_vector(n) || (level_ && is_zero_vector(sparse_cross(n, *level_)))) return false;
@@ -237,19 +237,19 @@ class BoxPair {
   }
   /// Negative also where the two axes are one.
   Sign exact_gap(const AxisPair& of) {
-    if (!short_) short_.emplace(in_space_of_both<ShortDyadic>(box_, by_));
-    const Vec3<ShortDyadic> n = across(*short_, of);
+    if (!short_) short_.emplace(as_space_sees<ShortDyadic>(box_, by_));
+    const Vec3<ShortDyadic> n = across_axes(*short_, of);
     const Unsure<Sign> s = gap_along(*short_, n, of).sign();
     const bool is_lost = n.x.is_lost() || n.y.is_lost() || n.z.is_lost();
     if (!is_lost && s.certain()) return s.value() == Sign::zero && is_zero_vector(n) ? Sign::negative : s.value();
-    const auto two = in_space_of_both<BigDyadic>(box_, by_);
-    const Vec3<BigDyadic> exact = across(two, of);
+    const auto two = as_space_sees<BigDyadic>(box_, by_);
+    const Vec3<BigDyadic> exact = across_axes(two, of);
     return is_zero_vector(exact) ? Sign::negative : gap_along(two, exact, of).sign();
   }
 
   const std::array<NamedBox, 2>& box_;
   std::array<AnyPoseView, 2> by_;
-  TwoBoxes<Running> near_ = in_space_of_both<Running>(box_, by_);
+  TwoBoxes<Running> near_ = as_space_sees<Running>(box_, by_);
   std::optional<TwoBoxes<ShortDyadic>> short_;
   std::optional<Vec3<Running>> level_;
 };
