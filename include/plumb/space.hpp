@@ -81,6 +81,7 @@
 
 // What do planes make of space, and of polygons?  build_bsp; what is in the solid, and where does a ray meet it?  locate,
 // first_hit
+#include "plumb/space/bsp/bsp_order.hpp"  // from front to back
 #include "plumb/space/bsp/bsp_point.hpp"  // a point, in which leaves
 #include "plumb/space/bsp/bsp_ray.hpp"    // a ray and the face that it meets first
 #include "plumb/space/bsp/bsp_tree.hpp"   // nodes, leaves and pieces of polygons
