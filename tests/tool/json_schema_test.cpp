@@ -51,6 +51,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
        {"union cube.obj far.obj -o u.obj", "intersection cube.obj far.obj -o i.obj",
         "symmetric cube.obj cube.obj far.obj -o s.obj", "difference --rounds 1 cube.obj crossing.obj -o d.obj"}},
       {"bounds", {"cube.obj open.obj --placements 20", "sliver.off --placements 5"}},
+      {"bsp", {"cube.obj", "cube.obj --planes faces", "--leaves pieces open.obj", "--leaves none sliver.off"}},
       {"bvh", {"cube.obj", "open.obj --method linear", "cube.obj --split-share 0.5"}},
       {"check", {"cube.obj open.obj sliver.off", "--verify cube.obj crossing.obj", "--all open.obj"}},
       {"convex", {"cube.obj far.obj", "cube.obj crossing.obj", "cube.obj open.obj", "cube.obj cube.obj"}},

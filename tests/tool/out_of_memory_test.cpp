@@ -126,6 +126,7 @@ const std::vector<Writer> writers{
     {"bvh",
      {"bvh", "part.obj", "--json", "a.json", "--svg", "a.svg", "--out", "a.bvh", "--overwrite"},
      {"a.json", "a.svg", "a.bvh"}},
+    {.name = "bsp", .words = {"bsp", "block.obj", "--json", "a.json"}, .outputs = {"a.json"}, .is_hungry = false},
     {.name = "section",
      .words = {"section", "part.obj", "--plane", "z=0.3", "--json", "a.json", "--svg", "a.svg", "--dxf", "a.dxf",
                "--out", "report"},

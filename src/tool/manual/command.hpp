@@ -36,6 +36,7 @@ using Commands = std::function<const std::vector<Command>&()>;
 
 Command boolean_command(CLI::App& program);
 Command bounds_command(CLI::App& program);
+Command bsp_command(CLI::App& program);
 Command bvh_command(CLI::App& program);
 Command check_command(CLI::App& program);
 Command closest_command(CLI::App& program);

@@ -21,6 +21,7 @@ std::string environment_of_batches();
 Manual program_manual();
 Manual boolean_manual();
 Manual bounds_manual();
+Manual bsp_manual();
 Manual bvh_manual();
 Manual check_manual();
 Manual completion_manual();

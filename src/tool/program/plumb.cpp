@@ -15,7 +15,7 @@ std::vector<Command> commands_of(CLI::App& app) {
           bvh_command(app),     intersect_command(app), distance_command(app), convex_command(app),
           inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
           convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app),
-          parts_command(app),   boolean_command(app),   replay_command(app)};
+          parts_command(app),   boolean_command(app),   replay_command(app),   bsp_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
