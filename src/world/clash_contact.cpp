@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "plumb/space/bvh/build.hpp"
 #include "plumb/space/range/range_search.hpp"
 #include "surface/solid/facet_list.hpp"
 #include "surface/solid/line_from_facet.hpp"
@@ -100,7 +101,8 @@ class Contact {
         all |= owners(at[next].facet);
       const std::uint32_t first = at[i].facet, last = at[next - 1].facet;
       const bool flat = next - i == 2 && owners(first) == 3 && owners(last) == 3 &&
-                        list_.plane_of[first] == list_.plane_of[last] && jumps_[first] == jumps_[last];
+                        list_.plane_of[first] == list_.plane_of[last] && list_.plane_of[first] != surface::none &&
+                        jumps_[first] == jumps_[last];
       if (all != 3 || flat)
         for (std::size_t k = i + 1; k < next; ++k) groups.unite(first, at[k].facet);
     }
@@ -109,7 +111,7 @@ class Contact {
 
   [[nodiscard]] surface::LineFromFacet line_from(std::uint32_t f) const {
     const auto& [a, b, c] = list_.facets[f];
-    return {{table_.point(a), table_.point(b), table_.point(c)}, list_.planes[list_.plane_of[f]]};
+    return {{table_.point(a), table_.point(b), table_.point(c)}, list_.plane_of_facet(f, table_)};
   }
 
   /// Of the part around what the line starts in.
@@ -147,7 +149,7 @@ Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const T
   const auto meshes = meeting_triangles(a, b, pairs);
   const FacePool pool = surface::pool_open_faces(meshes);
   PointTable table(pool.mesh.vertices);
-  const auto classes = surface::find_plane_classes(pool, table);
+  const auto classes = surface::find_plane_classes(pool, build_bvh(pool.mesh), table);
   const FacetList list = surface::divide_planes(pool, table, classes);
   return Contact(a, b, pool, list, table).look();
 }

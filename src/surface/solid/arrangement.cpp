@@ -1,36 +1,58 @@
 #include "plumb/surface/solid/arrangement.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "plumb/space/bvh/build.hpp"
 #include "surface/solid/facet_list.hpp"
 #include "surface/solid/joined_faces.hpp"
+#include "surface/solid/sort_by_first.hpp"
 
 namespace plumb {
 namespace {
 
 using surface::FacePool, surface::FacetList, surface::PointTable, surface::SideSets;
 
-/// The points that facets name, in lexicographic order; `rank` gets the number of each.
+/// The points that facets name, in lexicographic order; `rank` gets the number of each.  Those as given are in order.
 std::vector<ExactPoint3> ranked_vertices(const FacetList& list, const PointTable& table,
                                          std::vector<std::uint32_t>& rank) {
-  std::vector<std::uint32_t> used;
-  rank.assign(table.size(), 0);
+  std::vector<std::uint8_t> is_used(table.size());
   for (const auto& corners : list.facets)
-    for (const std::uint32_t v : corners)
-      if (std::exchange(rank[v], 1U) == 0) used.push_back(v);
-  std::vector<ExactPoint3> points(table.size());
-  for (const std::uint32_t v : used) points[v] = table.point(v);
-  std::ranges::sort(
-      used, [&](std::uint32_t l, std::uint32_t r) { return compare_xyz(points[l], points[r]) == Sign::negative; });
-  std::vector<ExactPoint3> vertices;
-  for (const std::uint32_t v : used) {
-    rank[v] = static_cast<std::uint32_t>(vertices.size());
-    vertices.push_back(std::move(points[v]));
+    for (const std::uint32_t v : corners) is_used[v] = 1;
+  struct Constructed {
+    ExactPoint3 at;
+    std::uint32_t number, given_before;
+  };
+  std::vector<Constructed> constructed;
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < is_used.size(); ++v) {
+    count += is_used[v];
+    if (is_used[v] == 0 || table.is_given(v)) continue;
+    ExactPoint3 at = table.point(v);
+    const std::uint32_t before = table.given_before(at);
+    constructed.push_back({std::move(at), v, before});
   }
-  return vertices;
+  std::ranges::sort(constructed, [](const Constructed& l, const Constructed& r) {
+    return l.given_before != r.given_before ? l.given_before < r.given_before
+                                            : compare_xyz(l.at, r.at) == Sign::negative;
+  });
+  std::vector<ExactPoint3> vertices;
+  vertices.reserve(count);
+  rank.assign(table.size(), 0);
+  auto next = constructed.begin();
+  for (std::uint32_t v = 0;; ++v) {
+    for (; next != constructed.end() && next->given_before == v; ++next) {
+      rank[next->number] = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(std::move(next->at));
+    }
+    if (v == is_used.size() || !table.is_given(v)) return vertices;
+    if (is_used[v] == 0) continue;
+    rank[v] = static_cast<std::uint32_t>(vertices.size());
+    vertices.emplace_back(table.given(v));
+  }
 }
 
 void add_sources(const FacePool& pool, std::span<const surface::CoveringFace> covers, Arrangement& to) {
@@ -46,23 +68,25 @@ void add_sources(const FacePool& pool, std::span<const surface::CoveringFace> co
 Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces) {
   FacePool pool = surface::pool_faces(meshes);
   if (pieces == Pieces::of_polygons) pool = surface::join_coplanar_faces(std::move(pool));
+  const Bvh bvh = build_bvh(pool.mesh);
   PointTable table(pool.mesh.vertices);
-  const auto classes = surface::find_plane_classes(pool, table);
-  const FacetList list = surface::divide_planes(pool, table, classes);
+  const FacetList list = surface::divide_planes(pool, table, surface::find_plane_classes(pool, bvh, table));
   const SideSets sets = surface::join_sides(list, table);
   Arrangement made;
   made.meshes = pool.meshes;
-  const std::vector<std::int32_t> windings = surface::windings_of_sets(pool, list, table, sets);
+  const std::vector<std::int32_t> windings = surface::windings_of_sets(pool, bvh, list, table, sets);
   std::vector<std::uint32_t> rank;
   made.vertices = ranked_vertices(list, table, rank);
   std::vector<std::pair<TriangleMesh::Triangle, std::uint32_t>> facets;
+  facets.reserve(list.facets.size());
   for (std::uint32_t f = 0; f < list.facets.size(); ++f) {
     auto corners = list.facets[f];
     for (std::uint32_t& v : corners) v = rank[v];
     std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     facets.emplace_back(corners, f);
   }
-  std::ranges::sort(facets);
+  surface::sort_by_first(
+      facets, made.vertices.size(), [](const auto& row) { return row.first[0]; }, std::less<>());
   constexpr auto unnumbered = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> region(sets.count, unnumbered);
   const auto region_of = [&](std::uint32_t side) {
@@ -74,6 +98,8 @@ Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces) {
     }
     return number;
   };
+  made.facets.reserve(facets.size());
+  made.sides.reserve(facets.size());
   for (const auto& [corners, f] : facets) {
     made.facets.push_back(corners);
     const std::uint32_t over = region_of(surface::above(f));

@@ -1,6 +1,7 @@
 #include "surface/solid/face_pool.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/direction.hpp"
 #include "plumb/surface/topology/topology.hpp"
+#include "surface/solid/sort_by_first.hpp"
 
 namespace plumb::surface {
 namespace {
@@ -83,22 +85,27 @@ void require_closed(const FacePool& pool, std::span<const PooledTriangle> all) {
     }
   }
   const auto key = [](const Run& r) { return std::tie(r.mesh, r.from, r.to); };
-  std::ranges::sort(runs, [&](const Run& l, const Run& r) {
-    return std::tie(l.mesh, l.from, l.to, l.triangle) < std::tie(r.mesh, r.from, r.to, r.triangle);
-  });
+  sort_by_first(
+      runs, pool.mesh.vertices.size(), [](const Run& r) { return r.from; },
+      [](const Run& l, const Run& r) {
+        return std::tie(l.from, l.mesh, l.to, l.triangle) < std::tie(r.from, r.mesh, r.to, r.triangle);
+      });
+  const Run* found = nullptr;  // the first by its mesh, then by its ends
+  bool is_open = false;
   for (std::size_t i = 0, next = 0; i < runs.size(); i = next) {
     int flow = 0;
     for (next = i; next < runs.size() && key(runs[next]) == key(runs[i]); ++next) flow += runs[next].forward ? 1 : -1;
-    if (flow == 0) continue;
-    const std::string where = "the edge from " + place_text(pool.mesh.vertices[runs[i].from]) + " to " +
-                              place_text(pool.mesh.vertices[runs[i].to]) + ", of " +
-                              triangle_text(runs[i].mesh, runs[i].triangle);
-    const bool is_open = (next - i) % 2 != 0;
-    throw UnbalancedEdge(is_open ? "arrange: the mesh is open at " + where + "; close it, or repair it"
-                                 : "arrange: triangles run against each other along " + where + "; repair winds them",
-                         {runs[i].mesh, runs[i].triangle},
-                         {pool.mesh.vertices[runs[i].from], pool.mesh.vertices[runs[i].to]}, is_open);
+    if (flow == 0 || (found != nullptr && key(*found) < key(runs[i]))) continue;
+    found = &runs[i];
+    is_open = (next - i) % 2 != 0;
   }
+  if (found == nullptr) return;
+  const std::array<Point3, 2> ends{pool.mesh.vertices[found->from], pool.mesh.vertices[found->to]};
+  const std::string where = "the edge from " + place_text(ends[0]) + " to " + place_text(ends[1]) + ", of " +
+                            triangle_text(found->mesh, found->triangle);
+  throw UnbalancedEdge(is_open ? "arrange: the mesh is open at " + where + "; close it, or repair it"
+                               : "arrange: triangles run against each other along " + where + "; repair winds them",
+                       {found->mesh, found->triangle}, ends, is_open);
 }
 
 /// Do as many uses turn one way as the other, in each mesh?
@@ -140,9 +147,11 @@ FacePool pool_faces(std::span<const TriangleMesh> meshes) { return pooled(meshes
 FacePool pool_open_faces(std::span<const TriangleMesh> meshes) { return pooled(meshes, false); }
 
 void add_faces(FacePool& pool, std::vector<PooledTriangle> all) {
-  std::ranges::sort(all, [](const PooledTriangle& l, const PooledTriangle& r) {
-    return std::tie(l.corners, l.source) < std::tie(r.corners, r.source);
-  });
+  sort_by_first(
+      all, pool.mesh.vertices.size(), [](const PooledTriangle& t) { return t.corners[0]; },
+      [](const PooledTriangle& l, const PooledTriangle& r) {
+        return std::tie(l.corners, l.source) < std::tie(r.corners, r.source);
+      });
   for (std::size_t i = 0, next = 0; i < all.size(); i = next) {
     const std::size_t first = pool.uses.size();
     for (next = i; next < all.size() && all[next].corners == all[i].corners; ++next)

@@ -8,17 +8,24 @@
 
 #include <vector>
 
+#include "plumb/space/bvh/bvh.hpp"
+#include "surface/planar/triangles.hpp"
 #include "surface/solid/plane_pieces.hpp"
 
 namespace plumb::surface {
 
 struct FacetList {
-  std::vector<PlaneView> planes;
+  std::vector<TurnedPlane> planes;  // of what is divided
   std::vector<TriangleMesh::Triangle> facets;
-  std::vector<std::uint32_t> plane_of;
+  std::vector<std::uint32_t> plane_of;  // or none, of a face that nothing cuts
   std::vector<CoveringFace> covers;
   std::vector<std::uint32_t> first_cover{0};
 
+  [[nodiscard]] TurnedPlane plane_of_facet(std::size_t facet, const PointTable& table) const {
+    if (plane_of[facet] != none) return planes[plane_of[facet]];
+    const auto& [a, b, c] = facets[facet];
+    return {{table.given(a), table.given(b), table.given(c)}};
+  }
   [[nodiscard]] std::span<const CoveringFace> covers_of(std::size_t facet) const {
     return std::span(covers).subspan(first_cover[facet], first_cover[facet + 1] - first_cover[facet]);
   }
@@ -27,7 +34,8 @@ struct FacetList {
 constexpr std::uint32_t above(std::uint32_t facet) { return 2 * facet; }
 constexpr std::uint32_t below(std::uint32_t facet) { return 2 * facet + 1; }
 
-FacetList divide_planes(const FacePool& pool, PointTable& table, const std::vector<PlaneClass>& classes);
+/// A face that nothing cuts is a facet that turns as the face does.
+FacetList divide_planes(const FacePool& pool, PointTable& table, const PlaneClasses& classes);
 
 /// The set of each side: those that lie in one cell and are connected around edges.  Sets are numbered as they come.
 struct SideSets {
@@ -36,8 +44,8 @@ struct SideSets {
 };
 SideSets join_sides(const FacetList& list, const PointTable& table);
 
-/// Each set winds so often around each mesh of the pool, as in Arrangement::windings.
-std::vector<std::int32_t> windings_of_sets(const FacePool& pool, const FacetList& list, const PointTable& table,
-                                           const SideSets& sets);
+/// Each set winds so often around each mesh of the pool, as in Arrangement::windings; the tree is the pool's.
+std::vector<std::int32_t> windings_of_sets(const FacePool& pool, const Bvh& bvh, const FacetList& list,
+                                           const PointTable& table, const SideSets& sets);
 
 }  // namespace plumb::surface

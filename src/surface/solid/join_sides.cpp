@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "surface/solid/facet_list.hpp"
+#include "surface/solid/sort_by_first.hpp"
 #include "surface/topology/disjoint_sets.hpp"
 
 namespace plumb::surface {
@@ -16,7 +17,7 @@ struct FacetAtEdge {
   bool forward;  // the facet goes from a to b
 };
 
-std::vector<FacetAtEdge> facets_at_edges(const FacetList& list) {
+std::vector<FacetAtEdge> facets_at_edges(const FacetList& list, const PointTable& table) {
   std::vector<FacetAtEdge> at;
   at.reserve(3 * list.facets.size());
   for (std::uint32_t f = 0; f < list.facets.size(); ++f) {
@@ -25,9 +26,11 @@ std::vector<FacetAtEdge> facets_at_edges(const FacetList& list) {
       at.push_back({std::min(from, to), std::max(from, to), f, list.facets[f][(k + 2) % 3], from < to});
     }
   }
-  std::ranges::sort(at, [](const FacetAtEdge& l, const FacetAtEdge& r) {
-    return std::tie(l.a, l.b, l.facet) < std::tie(r.a, r.b, r.facet);
-  });
+  sort_by_first(
+      at, table.size(), [](const FacetAtEdge& f) { return f.a; },
+      [](const FacetAtEdge& l, const FacetAtEdge& r) {
+        return std::tie(l.a, l.b, l.facet) < std::tie(r.a, r.b, r.facet);
+      });
   return at;
 }
 
@@ -52,9 +55,10 @@ class TurnAboutEdge {
   }
   [[nodiscard]] Sign ahead(const FacetAtEdge& of, const FacetAtEdge& f) const {
     const std::uint32_t plane = list_.plane_of[of.facet];
-    if (plane == list_.plane_of[f.facet]) return Sign::zero;
-    const PlaneView& view = list_.planes[plane];
-    const Sign side = table_.is_given(f.apex) ? view.side(table_.given(f.apex)) : view.side(table_.point(f.apex));
+    if (plane != none && plane == list_.plane_of[f.facet]) return Sign::zero;
+    const TurnedPlane of_facet = list_.plane_of_facet(of.facet, table_);
+    const Sign side =
+        table_.is_given(f.apex) ? of_facet.side(table_.given(f.apex)) : of_facet.side(table_.point(f.apex));
     return of.forward ? side : -side;
   }
 
@@ -67,7 +71,7 @@ class TurnAboutEdge {
 
 SideSets join_sides(const FacetList& list, const PointTable& table) {
   DisjointSets sets(2 * list.facets.size());
-  std::vector<FacetAtEdge> at = facets_at_edges(list);
+  std::vector<FacetAtEdge> at = facets_at_edges(list, table);
   for (std::size_t i = 0, next = 0; i < at.size(); i = next) {
     for (next = i; next < at.size() && at[next].a == at[i].a && at[next].b == at[i].b;) ++next;
     const std::span<FacetAtEdge> around(at.data() + i, next - i);

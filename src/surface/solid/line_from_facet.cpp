@@ -49,7 +49,7 @@ Sign passage(const std::array<Point3, 3>& t, const ExactPoint2& p) {
 
 }  // namespace
 
-LineFromFacet::LineFromFacet(const std::array<ExactPoint3, 3>& corners, const PlaneView& plane) {
+LineFromFacet::LineFromFacet(const std::array<ExactPoint3, 3>& corners, const TurnedPlane& plane) {
   const RationalPoint3 middle =
       middle_of({rational_point(corners[0]), rational_point(corners[1]), rational_point(corners[2])});
   from_ = ExactPoint3(middle);

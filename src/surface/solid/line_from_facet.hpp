@@ -15,7 +15,7 @@ namespace plumb::surface {
 class LineFromFacet {
  public:
   /// The plane is that of the corners.
-  LineFromFacet(const std::array<ExactPoint3, 3>& corners, const PlaneView& plane);
+  LineFromFacet(const std::array<ExactPoint3, 3>& corners, const TurnedPlane& plane);
 
   /// Or below the facet.
   [[nodiscard]] bool starts_above() const { return moved_ == Sign::positive; }

@@ -1,10 +1,13 @@
 #include "surface/solid/mesh_in_order.hpp"
 
 #include <algorithm>
+#include <functional>
+
+#include "surface/solid/sort_by_first.hpp"
 
 namespace plumb::surface {
 
-ExactMesh mesh_in_order(std::vector<ExactPoint3> vertices,
+ExactMesh mesh_in_order(std::span<const ExactPoint3> vertices,
                         std::vector<std::pair<TriangleMesh::Triangle, SourceFace>> triangles) {
   std::vector<std::uint32_t> number(vertices.size());
   for (auto& [corners, source] : triangles) {
@@ -12,10 +15,14 @@ ExactMesh mesh_in_order(std::vector<ExactPoint3> vertices,
     for (const std::uint32_t v : corners) number[v] = 1;
   }
   ExactMesh made;
+  made.vertices.reserve(static_cast<std::size_t>(std::ranges::count(number, 1U)));
   for (std::size_t v = 0; v < number.size(); ++v)
     if (std::exchange(number[v], static_cast<std::uint32_t>(made.vertices.size())) != 0)
-      made.vertices.push_back(std::move(vertices[v]));
-  std::ranges::sort(triangles);
+      made.vertices.push_back(vertices[v]);
+  sort_by_first(
+      triangles, number.size(), [](const auto& row) { return row.first[0]; }, std::less<>());
+  made.triangles.reserve(triangles.size());
+  made.sources.reserve(triangles.size());
   for (auto& [corners, source] : triangles) {
     for (std::uint32_t& v : corners) v = number[v];
     made.triangles.push_back(corners);

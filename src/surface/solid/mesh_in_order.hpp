@@ -5,6 +5,7 @@
 // Cost: n log n comparisons of numbers.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@
 namespace plumb::surface {
 
 /// The vertices ascend.
-ExactMesh mesh_in_order(std::vector<ExactPoint3> vertices,
+ExactMesh mesh_in_order(std::span<const ExactPoint3> vertices,
                         std::vector<std::pair<TriangleMesh::Triangle, SourceFace>> triangles);
 
 }  // namespace plumb::surface

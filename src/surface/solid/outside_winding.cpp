@@ -1,17 +1,16 @@
 #include "surface/solid/outside_winding.hpp"
 
-#include "plumb/space/bvh/build.hpp"
 #include "plumb/space/range/range_search.hpp"
 #include "surface/solid/line_from_facet.hpp"
 
 namespace plumb::surface {
 
-OutsideWinding::OutsideWinding(const FacePool& pool, const FacetList& list, const PointTable& table)
-    : pool_(pool), list_(list), table_(table), bvh_(build_bvh(pool.mesh)) {}
+OutsideWinding::OutsideWinding(const FacePool& pool, const Bvh& bvh, const FacetList& list, const PointTable& table)
+    : pool_(pool), bvh_(bvh), list_(list), table_(table) {}
 
 WindingBeside OutsideWinding::beside(std::uint32_t facet) const {
   const auto& [a, b, c] = list_.facets[facet];
-  const LineFromFacet line({table_.point(a), table_.point(b), table_.point(c)}, list_.planes[list_.plane_of[facet]]);
+  const LineFromFacet line({table_.point(a), table_.point(b), table_.point(c)}, list_.plane_of_facet(facet, table_));
   WindingBeside found{line.starts_above(), std::vector<std::int32_t>(pool_.meshes)};
   for (const std::uint32_t face : meeting(bvh_, line.box())) {
     const int winding = line.winding_of(pool_.points_of(face));

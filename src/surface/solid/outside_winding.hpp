@@ -17,14 +17,15 @@ struct WindingBeside {
 
 class OutsideWinding {
  public:
-  OutsideWinding(const FacePool& pool, const FacetList& list, const PointTable& table);
+  /// The tree is the pool's.
+  OutsideWinding(const FacePool& pool, const Bvh& bvh, const FacetList& list, const PointTable& table);
   [[nodiscard]] WindingBeside beside(std::uint32_t facet) const;
 
  private:
   const FacePool& pool_;
+  const Bvh& bvh_;
   const FacetList& list_;
   const PointTable& table_;
-  Bvh bvh_;
 };
 
 }  // namespace plumb::surface

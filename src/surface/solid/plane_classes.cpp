@@ -1,12 +1,11 @@
 #include "surface/solid/plane_classes.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "plumb/predicates.hpp"
-#include "plumb/space/bvh/build.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "surface/planar/triangles.hpp"
+#include "surface/repair/point_order.hpp"
 #include "surface/topology/disjoint_sets.hpp"
 
 namespace plumb::surface {
@@ -21,8 +20,6 @@ bool is_coplanar(const FacePool& pool, const TrianglePair& pair) {
   }
   return true;
 }
-
-bool comes_before(const Point3& l, const Point3& r) { return std::tie(l.x, l.y, l.z) < std::tie(r.x, r.y, r.z); }
 
 /// Faces that share an edge see where it passes a third one alike, so that equal points are seen to be equal.
 ExactPoint3 named_alike(const ExactPoint3& p) {
@@ -43,58 +40,67 @@ void make_ascend(std::vector<T>& list) {
 
 }  // namespace
 
-std::vector<PlaneClass> find_plane_classes(const FacePool& pool, PointTable& table) {
+PlaneClasses find_plane_classes(const FacePool& pool, const Bvh& bvh, PointTable& table) {
   const auto faces = static_cast<std::uint32_t>(pool.mesh.triangles.size());
+  if (faces == 0) return {};
   DisjointSets sets(faces);
+  std::vector<std::uint8_t> is_cut(faces);
   std::vector<TrianglePair> across;
-  std::vector<Intersection3> common;
-  if (faces != 0) {
-    const Bvh bvh = build_bvh(pool.mesh);
-    for (const TrianglePair& pair : intersecting_pairs(bvh)) {
-      if (is_coplanar(pool, pair))
-        sets.unite(pair.a, pair.b);
-      else
-        across.push_back(pair);
+  for (const TrianglePair& pair : intersecting_pairs(bvh)) {
+    if (is_coplanar(pool, pair)) {
+      sets.unite(pair.a, pair.b);
+      is_cut[pair.a] = is_cut[pair.b] = 1;
+    } else {
+      across.push_back(pair);
     }
-    common = intersections(bvh, bvh, across);
   }
-  std::vector<PlaneClass> classes;
-  std::vector<std::uint32_t> class_of(faces, none);
-  for (std::uint32_t f = 0; f < faces; ++f) {
-    const std::uint32_t first = sets.find(f);  // the smallest of them
-    if (first == f) {
-      class_of[f] = static_cast<std::uint32_t>(classes.size());
-      classes.emplace_back();
-    }
-    class_of[f] = class_of[first];
-    classes[class_of[f]].faces.push_back(f);
-  }
+  const std::vector<Intersection3> common = intersections(bvh, bvh, across);
+  struct Chord {
+    std::uint32_t face;
+    std::array<std::uint32_t, 2> ends;
+  };
+  std::vector<Chord> chords;
   const auto is_corner = [&](std::uint32_t face, std::uint32_t point) {
     return std::ranges::find(pool.mesh.triangles[face], point) != pool.mesh.triangles[face].end();
-  };
-  const auto is_edge = [&](std::uint32_t face, const std::array<std::uint32_t, 2>& chord) {
-    return is_corner(face, chord[0]) && is_corner(face, chord[1]);
   };
   for (std::size_t i = 0; i < across.size(); ++i) {
     const std::vector<ExactPoint3>& ends = common[i].vertices;
     if (ends.empty()) continue;
     const std::uint32_t from = table.number_of(named_alike(ends.front()));
     const std::uint32_t to = ends.size() == 1 ? from : table.number_of(named_alike(ends.back()));
-    const std::array<std::uint32_t, 2> chord{std::min(from, to), std::max(from, to)};
     for (const std::uint32_t face : {across[i].a, across[i].b}) {
-      PlaneClass& of = classes[class_of[face]];
-      if (from == to) {
-        if (!is_corner(face, from)) of.points.push_back(from);
-      } else if (!is_edge(face, chord)) {
-        of.chords.push_back(chord);
-      }
+      if (is_corner(face, from) && is_corner(face, to)) continue;  // a corner or an edge
+      chords.push_back({face, {std::min(from, to), std::max(from, to)}});
+      is_cut[face] = 1;
     }
   }
-  for (PlaneClass& c : classes) {
+  PlaneClasses found;
+  std::vector<std::uint32_t> class_of(faces, none);
+  for (std::uint32_t f = 0; f < faces; ++f) {
+    if (is_cut[f] == 0) {
+      found.whole.push_back(f);
+      continue;
+    }
+    const std::uint32_t first = sets.find(f);  // the smallest of them
+    if (first == f) {
+      class_of[f] = static_cast<std::uint32_t>(found.cut.size());
+      found.cut.emplace_back();
+    }
+    class_of[f] = class_of[first];
+    found.cut[class_of[f]].faces.push_back(f);
+  }
+  for (const auto& [face, ends] : chords) {
+    PlaneClass& of = found.cut[class_of[face]];
+    if (ends[0] == ends[1])
+      of.points.push_back(ends[0]);
+    else
+      of.chords.push_back(ends);
+  }
+  for (PlaneClass& c : found.cut) {
     make_ascend(c.chords);
     make_ascend(c.points);
   }
-  return classes;
+  return found;
 }
 
 }  // namespace plumb::surface

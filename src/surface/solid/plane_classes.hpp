@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "plumb/space/bvh/bvh.hpp"
 #include "surface/solid/face_pool.hpp"
 #include "surface/solid/point_table.hpp"
 
@@ -19,11 +20,14 @@ struct PlaneClass {
   std::vector<std::uint32_t> faces;
   std::vector<std::array<std::uint32_t, 2>> chords;
   std::vector<std::uint32_t> points;
-  /// Is it one face that nothing cuts?
-  [[nodiscard]] bool is_whole() const { return faces.size() == 1 && chords.empty() && points.empty(); }
 };
 
-/// Puts the points that are constructed in the table.
-std::vector<PlaneClass> find_plane_classes(const FacePool& pool, PointTable& table);
+struct PlaneClasses {
+  std::vector<std::uint32_t> whole;  // faces that nothing cuts, each a class of its own
+  std::vector<PlaneClass> cut;
+};
+
+/// Puts the points that are constructed in the table; the tree is the pool's.
+PlaneClasses find_plane_classes(const FacePool& pool, const Bvh& bvh, PointTable& table);
 
 }  // namespace plumb::surface

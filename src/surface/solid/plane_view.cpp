@@ -52,30 +52,29 @@ std::array<int, 3> guessed_axes(const std::array<Point3, 3>& p) {
   return axes;
 }
 
-PlaneView::PlaneView(const std::array<Point3, 3>& points) : points_(points) {
+PlaneView::PlaneView(const std::array<Point3, 3>& points) : plane_{points} {
   for (const int axis : guessed_axes(points)) {
     const Sign turn = turn_along(points, axis);
     if (turn == Sign::zero) continue;
     axis_ = axis;
-    turned_ = turn == Sign::negative;
+    if (turn == Sign::negative) std::swap(plane_.points[1], plane_.points[2]);
     break;
   }
-  if (turned_) std::swap(points_[1], points_[2]);
 }
 
 ExactPoint2 PlaneView::seen(const ExactPoint3& p) const { return shadow(p, axis_); }
 
 std::array<std::size_t, 2> PlaneView::seen_axes() const { return axes_across(axis_); }
 
-Sign PlaneView::side(const ExactPoint3& p) const {
+Sign TurnedPlane::side(const ExactPoint3& p) const {
   if (const auto* given = std::get_if<Point3>(&p.as())) return side(*given);
-  return -orient3d(ExactPoint3(points_[0]), ExactPoint3(points_[1]), ExactPoint3(points_[2]), p);
+  return -orient3d(ExactPoint3(points[0]), ExactPoint3(points[1]), ExactPoint3(points[2]), p);
 }
 
-Sign PlaneView::side(const Point3& p) const { return -orient3d(points_[0], points_[1], points_[2], p); }
+Sign TurnedPlane::side(const Point3& p) const { return -orient3d(points[0], points[1], points[2], p); }
 
-std::array<Sign, 3> PlaneView::normal_signs() const {
-  return {turn_along(points_, 0), turn_along(points_, 1), turn_along(points_, 2)};
+std::array<Sign, 3> TurnedPlane::normal_signs() const {
+  return {turn_along(points, 0), turn_along(points, 1), turn_along(points, 2)};
 }
 
 }  // namespace plumb::surface

@@ -12,26 +12,31 @@
 
 namespace plumb::surface {
 
-class PlaneView {
- public:
-  /// The points are not on one line.
-  explicit PlaneView(const std::array<Point3, 3>& points);
+/// Seen from above the points turn counterclockwise; they are not on one line.
+struct TurnedPlane {
+  std::array<Point3, 3> points;
 
-  /// Do the three points turn counterclockwise, as given?
-  [[nodiscard]] bool is_seen_from_above() const { return !turned_; }
-  [[nodiscard]] ExactPoint2 seen(const ExactPoint3& p) const;
-  /// The axis of space that the first and the second axis of what is seen is.
-  [[nodiscard]] std::array<std::size_t, 2> seen_axes() const;
   /// Positive above the plane.
   [[nodiscard]] Sign side(const ExactPoint3& p) const;
   [[nodiscard]] Sign side(const Point3& p) const;
   /// The signs of the upward normal's coordinates.
   [[nodiscard]] std::array<Sign, 3> normal_signs() const;
+};
+
+class PlaneView {
+ public:
+  /// The points are not on one line.
+  explicit PlaneView(const std::array<Point3, 3>& points);
+
+  [[nodiscard]] const TurnedPlane& plane() const { return plane_; }
+
+  [[nodiscard]] ExactPoint2 seen(const ExactPoint3& p) const;
+  /// The axis of space that the first and the second axis of what is seen is.
+  [[nodiscard]] std::array<std::size_t, 2> seen_axes() const;
 
  private:
-  std::array<Point3, 3> points_;  // counterclockwise
+  TurnedPlane plane_;
   int axis_ = 2;
-  bool turned_ = false;
 };
 
 /// The point's shadow along the axis: (x, y), (y, z) or (z, x).

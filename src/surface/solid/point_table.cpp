@@ -28,6 +28,12 @@ std::uint32_t PointTable::given_number(const Point3& p) const {
   return at != given_.end() && key(*at) == key(p) ? static_cast<std::uint32_t>(at - given_.begin()) : none;
 }
 
+std::uint32_t PointTable::given_before(const ExactPoint3& point) const {
+  const auto at = std::ranges::partition_point(
+      given_, [&](const Point3& p) { return compare_xyz(ExactPoint3(p), point) == Sign::negative; });
+  return static_cast<std::uint32_t>(at - given_.begin());
+}
+
 std::uint32_t PointTable::number_of(const ExactPoint3& point) {
   if (const auto* p = std::get_if<Point3>(&point.as()))
     if (const std::uint32_t number = given_number(*p); number != none) return number;

@@ -29,6 +29,8 @@ class PointTable {
     return is_given(number) ? ExactPoint3(given_[number]) : made_[number - given_.size()];
   }
   std::uint32_t number_of(const ExactPoint3& point);
+  /// How many of the points as given come before this one?
+  [[nodiscard]] std::uint32_t given_before(const ExactPoint3& point) const;
 
  private:
   [[nodiscard]] std::uint32_t given_number(const Point3& p) const;

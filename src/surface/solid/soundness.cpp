@@ -39,19 +39,13 @@ bool is_closed_by_faces(const FacePool& pool) {
 }
 
 /// Takes faces that meet in shared vertices and edges only.
-bool is_wound_once(const FacePool& pool, const PointTable& table) {
-  FacetList list;
-  for (std::uint32_t f = 0; f < pool.mesh.triangles.size(); ++f) {
-    list.planes.emplace_back(pool.points_of(f));
-    auto corners = pool.mesh.triangles[f];
-    const bool opposite = !list.planes.back().is_seen_from_above();
-    if (opposite) std::swap(corners[1], corners[2]);
-    list.facets.push_back(corners);
-    list.plane_of.push_back(f);
-    list.covers.push_back({f, opposite});
-    list.first_cover.push_back(f + 1);
-  }
-  const std::vector<std::int32_t> windings = windings_of_sets(pool, list, table, join_sides(list, table));
+bool is_wound_once(const FacePool& pool, const Bvh& bvh) {
+  PointTable table(pool.mesh.vertices);
+  PlaneClasses classes;
+  classes.whole.resize(pool.mesh.triangles.size());
+  std::iota(classes.whole.begin(), classes.whole.end(), 0U);
+  const FacetList list = divide_planes(pool, table, classes);
+  const std::vector<std::int32_t> windings = windings_of_sets(pool, bvh, list, table, join_sides(list, table));
   return std::ranges::all_of(windings, [](std::int32_t w) { return w == 0 || w == 1; });
 }
 
@@ -69,9 +63,9 @@ Soundness::Soundness(const TriangleMesh& mesh) {
     const auto at = std::ranges::find(uses, times < 0, &FacetSource::opposite);
     triangle.push_back(at->face.triangle);
   }
-  if (!plain.triangles.empty())
-    for (const TrianglePair& p : intersecting_pairs(build_bvh(plain))) meeting.push_back({p.a, p.b});
-  sound = is_simple && meeting.empty() && is_wound_once(pool, PointTable(pool.mesh.vertices));
+  const Bvh bvh = build_bvh(pool.mesh);
+  for (const TrianglePair& p : intersecting_pairs(bvh)) meeting.push_back({p.a, p.b});
+  sound = is_simple && meeting.empty() && is_wound_once(pool, bvh);
 }
 
 }  // namespace plumb::surface

@@ -59,10 +59,9 @@ class WindingSpread {
 
 }  // namespace
 
-std::vector<std::int32_t> windings_of_sets(const FacePool& pool, const FacetList& list, const PointTable& table,
-                                           const SideSets& sets) {
-  if (list.facets.empty()) return {};
-  const OutsideWinding outside(pool, list, table);
+std::vector<std::int32_t> windings_of_sets(const FacePool& pool, const Bvh& bvh, const FacetList& list,
+                                           const PointTable& table, const SideSets& sets) {
+  const OutsideWinding outside(pool, bvh, list, table);
   WindingSpread known(pool, list, sets);
   for (std::uint32_t f = 0; f < list.facets.size(); ++f) {
     if (known.is_known(sets.of[above(f)])) continue;
