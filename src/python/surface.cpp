@@ -9,6 +9,7 @@
 #include "python/named.hpp"
 #include "python/rooms.hpp"
 #include "python/unlocked.hpp"
+#include "surface/topology/fault_words.hpp"
 
 namespace plumb::python {
 namespace {
@@ -31,7 +32,7 @@ py::dict shown_shell(const Shell& s) {
 }
 
 /// Members have the names that the program's JSON has for them.
-py::object report_of(const SurfaceFaults& f) {
+py::object report_of(const SurfaceFaults& f, const MeshStatistics& statistics) {
   py::dict d;
   d["triangles"] = f.triangles;
   d["closed"] = f.closed;
@@ -64,12 +65,24 @@ py::object report_of(const SurfaceFaults& f) {
   for (const Shell& s : f.shells) shells.append(shown_shell(s));
   d["defects"] = defects;
   d["shells"] = shells;
-  return answer("MeshReport", d);
+  std::string text =
+      "surface     " + surface::surface_verdict(f) + "\nwrong       " + surface::wrong_words(f, statistics);
+  std::string lines = surface::shell_lines(f, "            ", ", in report[\"shells\"]");
+  if (!lines.empty()) {
+    lines.pop_back();
+    text += "\nshells      " + lines;
+  }
+  return answer("MeshReport", d, text);
 }
 
 py::object check(const TriangleMesh& mesh, std::optional<double> nearer_than) {
-  return report_of(
-      unlocked([&] { return find_faults(mesh, {.nearer_than = nearer_than, .progress = interruptible()}); }));
+  const auto [faults, statistics] = unlocked([&] {
+    const MeshEdges edges = find_edges(mesh);
+    const MeshStatistics counts = mesh_statistics(mesh, edges);
+    return std::pair(find_faults(mesh, edges, counts, {.nearer_than = nearer_than, .progress = interruptible()}),
+                     counts);
+  });
+  return report_of(faults, statistics);
 }
 
 RepairKind repair_kind_named(const std::string& name) {
@@ -106,13 +119,18 @@ py::object repaired(const TriangleMesh& mesh, const py::object& steps, double to
   } else {
     for (const py::handle& step : py::iter(steps)) plan.push_back(step_of(step));
   }
-  Repaired done = unlocked([&] { return repair(mesh, plan, {.progress = interruptible()}); });
+  auto [done, statistics] = unlocked([&] {
+    Repaired made = repair(mesh, plan, {.progress = interruptible()});
+    const MeshStatistics counts = mesh_statistics(made.mesh, find_edges(made.mesh));
+    return std::pair(std::move(made), counts);
+  });
   py::list changes;
   for (const RepairChange& c : done.changes) {
     changes.append(answer("RepairChange", std::string(text_of(c.kind)), std::string(name_of(c.step)),
                           shown_member(c.place), c.count, c.distance, is_left(c.kind)));
   }
-  return answer("Repaired", std::make_shared<TriangleMesh>(std::move(done.mesh)), changes, report_of(done.faults));
+  return answer("Repaired", std::make_shared<TriangleMesh>(std::move(done.mesh)), changes,
+                report_of(done.faults, statistics));
 }
 
 AnyPlane3 plane_of_python(const py::handle& given) {

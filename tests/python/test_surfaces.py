@@ -1,6 +1,7 @@
 """Are reports on meshes, what mends them and sections those of counts and fractions?"""
 
 import json
+import pickle
 import math
 import random
 from collections import Counter
@@ -62,8 +63,12 @@ def test_surfaces_that_meet_themselves():
 def test_a_cube():
     report = plumb.check(cube())
     assert report["defects"] == [] and report["shells"][0]["volume"] == 8 and report["closed"] and report["oriented"]
-    assert "nothing" in str(report)
+    assert str(report) == ("surface     closed, oriented, free of self-intersections, free of degenerate triangles\n"
+                           "wrong       nothing\nshells      1: 12 triangles from 0 on, closed, volume 8")
+    again = pickle.loads(pickle.dumps(report))
+    assert again == report and str(again) == str(report)
     inside_out = plumb.check(plumb.Mesh(CUBE[0], CUBE[1][:, ::-1]))
+    assert "oriented inward" in str(inside_out) and "wrong       1 shell wound inside out\n" in str(inside_out)
     assert inside_out["defects"] == ["inside-out"] and inside_out["shells"][0]["volume"] == -8
     spike = np.concatenate([CUBE[1], [[8, 0, 1]]])
     near = plumb.check(plumb.Mesh(np.concatenate([CUBE[0], [[0, 0, 1e-9]]]), spike), nearer_than=1e-6)

@@ -154,17 +154,17 @@ class MinimumSphere(NamedTuple):
 
 
 class MeshReport(Dict[str, Any]):
-    """What is wrong with a mesh: a dict by the names of `plumb check --json`, which prints."""
+    """What is wrong with a mesh: a dict by the names of `plumb check --json`, which prints in the words of `plumb check`."""
+
+    def __init__(self, members: Dict[str, Any], text: str) -> None:
+        super().__init__(members)
+        self._text = text
 
     def __str__(self) -> str:
-        counts = [f"{value} {name.replace('_', ' ')}" for name, value in self.items()
-                  if type(value) is int and value and name not in ("triangles", "shell_count", "closed_shells")]
-        wrong = ", ".join(self["defects"]) or "nothing"
-        solid = [word if self[word] else f"not {word}" for word in ("closed", "oriented")]
-        shells = f"{self['shell_count']} shell{'' if self['shell_count'] == 1 else 's'}"
-        lines = [f"surface     {', '.join(solid)}, {shells} of {self['triangles']} triangles",
-                 f"wrong       {wrong}", *(f"            {count}" for count in counts)]
-        return "\n".join(lines)
+        return self._text
+
+    def __reduce__(self) -> Any:
+        return MeshReport, (dict(self), self._text)
 
 
 class RepairChange(NamedTuple):

@@ -6,9 +6,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "plumb/surface/topology/faults.hpp"
+#include "surface/topology/fault_words.hpp"
 
 namespace plumb::tool {
 
@@ -16,13 +15,9 @@ namespace plumb::tool {
 SurfaceFaults check_surface(const TriangleMesh& mesh, const MeshEdges& edges, const MeshStatistics& statistics,
                             const std::string& name, std::optional<double> nearer_than = {});
 
-/// "2 shells, closed, oriented, free of self-intersections, free of degenerate triangles"
-std::string surface_verdict(const SurfaceFaults& check);
+using surface::surface_verdict, surface::shown_shells;
 
 /// "turn shell 1": what the shells that are inside out ask for.
 std::string turning_advice(const SurfaceFaults& check);
-
-/// The numbers of the shells that a report of at most so many shows: what is wrong first, in their order.
-std::vector<std::size_t> shown_shells(const SurfaceFaults& check, std::size_t most);
 
 }  // namespace plumb::tool

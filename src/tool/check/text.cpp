@@ -48,31 +48,6 @@ std::string defect_lines(const MeshStatistics& m) {
   return s.empty() ? fmt::format("  defects     none\n") : s;
 }
 
-/// Whether it is closed, its volume, where it lies, and what is wrong with it.
-std::string shell_text(const Shell& s) {
-  std::string text = plural(s.triangles, "triangle", "triangles") + fmt::format(" from {} on, ", s.first_triangle);
-  text += !s.closed ? "open" : s.volume ? fmt::format("closed, volume {}", *s.volume) : "closed, not oriented";
-  if (s.parent) text += fmt::format(", in shell {}", *s.parent);
-  if (s.wall) text += ", a wall inside of a solid";
-  if (s.inside_out()) text += ", inside out";
-  if (s.crosses) text += ", crosses another";
-  if (s.meets && !s.crosses) text += ", touches another";
-  return text;
-}
-
-std::string shell_lines(const SurfaceFaults& c) {
-  if (c.shells.empty()) return {};
-  if (c.shells.size() == 1) return fmt::format("  shells      1: {}\n", shell_text(c.shells[0]));
-  constexpr std::size_t most = 10;
-  std::string s =
-      fmt::format("  shells      {}, {} of them closed\n", grouped(c.shells.size()), grouped(c.closed_shells));
-  const std::vector<std::size_t> shown = shown_shells(c, most);
-  for (const std::size_t i : shown) s += fmt::format("              {}: {}\n", i, shell_text(c.shells[i]));
-  if (shown.size() < c.shells.size())
-    s += fmt::format("              and {} more; --json lists them\n", grouped(c.shells.size() - shown.size()));
-  return s;
-}
-
 std::string stage_line(const StageCounts& stages) {
   std::string s;
   for (std::size_t i = 0; i < stage_names.size(); ++i) {
@@ -168,7 +143,9 @@ std::string text_tables(const MeshCheck& c, const Style& style) {
   std::string s = file_lines(c);
   s += fmt::format("  mesh        {}, {}, {}\n", plural(m.vertices, "vertex", "vertices"),
                    plural(m.faces, "triangle", "triangles"), plural(m.edges, "edge", "edges"));
-  s += shell_lines(c.surface) + defect_lines(m);
+  const std::string shells = surface::shell_lines(c.surface, "              ", "; --json lists them");
+  if (!shells.empty()) s += "  shells      " + shells;
+  s += defect_lines(m);
   s += fmt::format("  edges       of {} interior: {} convex, {} exactly flat, {} reflex\n", grouped(m.interior_edges),
                    grouped(c.edges.convex), grouped(c.edges.flat), grouped(c.edges.reflex));
   s += lattice_line(c.lattice) + sample_line(c) + "\n" + legend(style) + tables({&c, 1}, style) + "\n";

@@ -21,50 +21,49 @@ struct Defect {
 /// Times are medians over blocks of 1024 decisions: of fewer than ten of these a ratio is noise.
 constexpr std::uint64_t least_timed = 10 * 1024;
 
-std::vector<Defect> defects_of(const MeshCheck& c) {
-  const MeshStatistics& m = c.statistics;
-  const SurfaceFaults& s = c.surface;
-  // What mends the one may mend the others.
+/// What mends each kind of fault, in their order.  What mends the one may mend the others.
+std::array<std::string, surface::fault_kinds> mends_of(const MeshStatistics& m, const SurfaceFaults& s) {
   const bool more_faces = s.duplicate_triangles + s.opposite_triangles + s.internal_walls != 0;
   const bool more_opens = s.vertices_on_edges + s.internal_walls != 0;
-  const std::string close = s.nearer_than ? fmt::format("vertices nearer than {}", *s.nearer_than) : "";
-  const std::array<Defect, 19> all{{
-      {m.zero_area_faces, "triangle of zero area", "triangles of zero area", "collapse triangles of zero area"},
-      {m.repeated_vertices, "repeated vertex", "repeated vertices", "weld repeated vertices"},
-      {s.close_vertices, close, close, "weld vertices that are too close"},
-      {s.duplicate_triangles, "duplicate triangle", "duplicate triangles", "leave out duplicate triangles"},
-      {s.opposite_triangles, "triangle opposite to another", "triangles opposite to others",
-       "leave out triangles opposite to others (both, where two solids meet there)"},
-      {s.internal_walls, "wall inside of a solid", "walls inside of solids", "leave out walls inside of solids"},
-      {s.vertices_on_edges, "vertex on an edge (T-junction)", "vertices on edges (T-junctions)",
-       s.internal_walls == 0 ? "divide edges where a vertex is on them"
-                             : "divide edges where a vertex is left on them"},
-      {m.boundary_edges, "open edge", "open edges",
-       s.open_edges_of_others == 0 ? ""
-       : more_opens                ? "close open edges that are left"
-                                   : "close open edges"},
-      {m.non_manifold_edges, "edge of more than two faces", "edges of more than two faces",
-       more_faces ? "split edges of more than two faces that are left" : "split edges of more than two faces"},
-      {s.non_manifold_vertices, "non-manifold vertex (of several fans)", "non-manifold vertices (of several fans)",
-       "split non-manifold vertices, one for each fan"},
-      {m.inconsistent_edges, "edge whose faces are wound against each other",
-       "edges whose faces are wound against each other", "wind neighbors alike"},
-      {s.inside_out_shells, "shell wound inside out", "shells wound inside out", turning_advice(s)},
-      {s.crossing_shells, "shell that crosses another", "shells that cross others", "unite or part shells that cross"},
-      {s.met.overlapping, "pair of triangles that overlap", "pairs of triangles that overlap",
-       "part triangles that overlap (`plumb intersect --obj` shows them)"},
-      {s.met.touching, "pair of triangles that touch", "pairs of triangles that touch",
-       m.repeated_vertices != 0 ? "" : "part triangles that touch (`plumb intersect --obj` shows them)"},
-      {c.bent_faces, "polygon whose corners lie in no one plane", "polygons whose corners lie in no one plane",
-       "export triangles, not polygons"},
-      {c.load.dropped_faces, "face of fewer than three corners", "faces of fewer than three corners", ""},
-      {c.load.fans, "polygon that crosses itself", "polygons that cross themselves",
-       "redraw polygons that cross themselves"},
-      {m.unused_vertices, "unused vertex", "unused vertices", ""},
-  }};
+  return {
+      "collapse triangles of zero area",
+      "weld repeated vertices",
+      "weld vertices that are too close",
+      "leave out duplicate triangles",
+      "leave out triangles opposite to others (both, where two solids meet there)",
+      "leave out walls inside of solids",
+      s.internal_walls == 0 ? "divide edges where a vertex is on them" : "divide edges where a vertex is left on them",
+      s.open_edges_of_others == 0 ? ""
+      : more_opens                ? "close open edges that are left"
+                                  : "close open edges",
+      more_faces ? "split edges of more than two faces that are left" : "split edges of more than two faces",
+      "split non-manifold vertices, one for each fan",
+      "wind neighbors alike",
+      turning_advice(s),
+      "unite or part shells that cross",
+      "part triangles that overlap (`plumb intersect --obj` shows them)",
+      m.repeated_vertices != 0 ? "" : "part triangles that touch (`plumb intersect --obj` shows them)",
+      ""};
+}
+
+/// The surface's faults, and before unused vertices those of the polygons that were read.
+std::vector<Defect> defects_of(const MeshCheck& c) {
+  const auto counted = surface::counted_faults(c.surface, c.statistics);
+  const auto mends = mends_of(c.statistics, c.surface);
   std::vector<Defect> found;
-  for (const Defect& d : all)
-    if (d.count != 0) found.push_back(d);
+  const auto add = [&found](Defect d) {
+    if (d.count != 0) found.push_back(std::move(d));
+  };
+  for (std::size_t k = 0; k < counted.size(); ++k) {
+    if (k == static_cast<std::size_t>(surface::FaultKind::unused_vertex)) {
+      add({c.bent_faces, "polygon whose corners lie in no one plane", "polygons whose corners lie in no one plane",
+           "export triangles, not polygons"});
+      add({c.load.dropped_faces, "face of fewer than three corners", "faces of fewer than three corners", ""});
+      add({c.load.fans, "polygon that crosses itself", "polygons that cross themselves",
+           "redraw polygons that cross themselves"});
+    }
+    add({counted[k].count, counted[k].one, counted[k].many, mends[k]});
+  }
   return found;
 }
 

@@ -6,16 +6,6 @@
 
 namespace plumb::tool {
 
-std::string grouped(std::uint64_t n) {
-  std::string s = std::to_string(n);
-  for (std::size_t i = s.size(); i > 3;) s.insert(i -= 3, 1, ',');
-  return s;
-}
-
-std::string plural(std::uint64_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", grouped(n), n == 1 ? one : many);
-}
-
 std::string percent(std::uint64_t part, std::uint64_t whole) {
   if (part == 0 || whole == 0) return std::string(1, '0');
   const double p = 100.0 * static_cast<double>(part) / static_cast<double>(whole);

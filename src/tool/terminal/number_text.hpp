@@ -5,14 +5,12 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
+
+#include "arith/number_words.hpp"
 
 namespace plumb::tool {
 
-/// 1,234,567
-std::string grouped(std::uint64_t n);
-/// "1 vertex", "2 vertices".
-std::string plural(std::uint64_t n, std::string_view one, std::string_view many);
+using arith::grouped, arith::plural;
 /// "0.13%", "2.0e-04%", "0".
 std::string percent(std::uint64_t part, std::uint64_t whole);
 /// Three digits that count: "0.0123", "8.3", "317", "1,150", "2,340,000".  `x` is not negative.
