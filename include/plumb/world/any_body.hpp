@@ -9,7 +9,7 @@
 // is its triangles: a surface, of which nothing is inside.  (3) Copies share what is large.
 // A mesh of no triangles and a compound of no parts throw InvalidShape, a pose that is neither rigid nor a chain of such
 // UnevenPose, for a mesh and for the parts of a compound.
-// Source: RTCD 2.2.2, 2.2.4.
+// Source: RTCD 2.4.1.
 // Cost: that of the tree for a mesh, once.  Nothing is searched.
 #pragma once
 

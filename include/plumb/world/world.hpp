@@ -18,7 +18,7 @@
 // the same on any number of threads.
 // A handle of a body that was removed, or of none, throws StaleHandle.  NonFinite and InvalidShape name the body by its
 // user id; Unsupported refuses a figure of the plane or without an end, UnevenPose one under a matrix.
-// Source: RTCD 2.4.1, 2.4.2.
+// Source: RTCD 2.4.1.
 // Cost: that of MovingBoxes for what has moved, and relate, and contact where it is asked for, for each pair of boxes that
 // overlap of which a body has changed.  Nothing is searched but by MovingBoxes.
 #pragma once
