@@ -35,18 +35,21 @@ Weighted<Interval, N> of_rationals(const std::array<const Rational*, N>& x, Inte
   (std::make_index_sequence<N>{});
 }
 
+/// The weight is the least common multiple of the denominators, so that the integers have no common factor.
 template <std::size_t N>
 Weighted<BigDyadic, N> of_rationals(const std::array<const Rational*, N>& x, BigDyadic) {
-  Weighted<BigDyadic, N> p;
-  p.weight = BigDyadic(1.0);
-  for (std::size_t i = 0; i < N; ++i) p.at[i] = BigDyadic(mpz_class(x[i]->value().value.get_num()));
-  for (std::size_t i = 0; i < N; ++i) {
-    const BigDyadic denominator(mpz_class(x[i]->value().value.get_den()));
-    p.weight = p.weight * denominator;
-    for (std::size_t k = 0; k < N; ++k) {
-      if (k != i) p.at[k] = p.at[k] * denominator;
-    }
+  mpz_class weight = x[0]->value().value.get_den();
+  for (std::size_t i = 1; i < N; ++i) {
+    const mpz_class& denominator = x[i]->value().value.get_den();
+    if (denominator != weight) weight = lcm(weight, denominator);
   }
+  Weighted<BigDyadic, N> p;
+  for (std::size_t i = 0; i < N; ++i) {
+    const mpq_class& of = x[i]->value().value;
+    p.at[i] = of.get_den() == weight ? BigDyadic(of.get_num())
+                                     : BigDyadic(mpz_class(of.get_num() * mpz_class(weight / of.get_den())));
+  }
+  p.weight = BigDyadic(weight);
   return p;
 }
 

@@ -75,7 +75,12 @@ void settle_all(const char* question, const Points&... points) {
 template <std::size_t N>
 const Weighted<BigDyadic, N>& place_of(const ExactPointCache<N>& cache, const auto& point) {
   if (const auto* known = cache.place(); known != nullptr) return known->point;
-  return cache.keep(new ExactPlace<N>(primitive(certify::meeting::coordinates_in<BigDyadic>(point)))).point;
+  const auto in_integers = [](const auto& p) {
+    auto found = certify::meeting::weighted<BigDyadic>(p);
+    if constexpr (RationalPoint<std::remove_cvref_t<decltype(p)>>) return found;  // they have no common factor
+    return primitive(found);
+  };
+  return cache.keep(new ExactPlace<N>(std::visit(in_integers, point.as()))).point;
 }
 
 template <class T, std::size_t N>

@@ -46,8 +46,9 @@ ExactMesh solid_where(const Arrangement& arrangement, const Inside& inside) {
 template <class Inside>
 ExactMesh solid_where(std::span<const TriangleMesh> meshes, const Inside& inside,
                       Pieces pieces = Pieces::of_triangles) {
-  const ExactMesh made = solid_where(arrange(meshes, pieces), inside);
-  return pieces == Pieces::of_polygons ? merge_pieces(made) : made;
+  ExactMesh made = solid_where(arrange(meshes, pieces), inside);
+  if (pieces == Pieces::of_polygons) return merge_pieces(made);
+  return made;
 }
 
 ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule = WindingRule::positive,
