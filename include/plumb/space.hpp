@@ -79,13 +79,14 @@
 #include "plumb/space/cells/portal_cells.hpp"  // convex cells, and portals in their faces
 #include "plumb/space/cells/visibility.hpp"    // what is seen from a place, or from anywhere in a cell
 
-// What do planes make of space, and of polygons?  build_bsp; what is in the solid, and where does a ray meet it?  locate,
-// first_hit
-#include "plumb/space/bsp/bsp_order.hpp"  // from front to back
-#include "plumb/space/bsp/bsp_point.hpp"  // a point, in which leaves
-#include "plumb/space/bsp/bsp_ray.hpp"    // a ray and the face that it meets first
-#include "plumb/space/bsp/bsp_tree.hpp"   // nodes, leaves and pieces of polygons
-#include "plumb/space/bsp/build_bsp.hpp"  // of polygons or a closed mesh
+// What do planes make of space, and of polygons?  build_bsp; what is in the solid, and where does a ray, or what
+// moves, meet it?  locate, first_hit, first_touch
+#include "plumb/space/bsp/bsp_motion.hpp"  // what moves and the face that it first touches
+#include "plumb/space/bsp/bsp_order.hpp"   // from front to back
+#include "plumb/space/bsp/bsp_point.hpp"   // a point, in which leaves
+#include "plumb/space/bsp/bsp_ray.hpp"     // a ray and the face that it meets first
+#include "plumb/space/bsp/bsp_tree.hpp"    // nodes, leaves and pieces of polygons
+#include "plumb/space/bsp/build_bsp.hpp"   // of polygons or a closed mesh
 
 // Which triangles meet?  intersecting_pairs, intersecting_pairs
 #include "plumb/space/pairs/mesh_pairs.hpp"     // of two meshes, or one with itself

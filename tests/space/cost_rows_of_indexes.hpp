@@ -270,6 +270,15 @@ inline const CostRow rows_of_indexes[]{
        for (std::size_t i = 0; i < c.b.size(); ++i) (void)first_hit(tree, Segment3{c.b[i], c.a[i]});
      },
      36, 1},
+    {"first_touch of a BspTree", "space/bsp/bsp_motion.hpp", quadratic, 2500,
+     [](const Cloud& c) {
+       const BspTree tree = build_bsp(hull_of(c.a));
+       for (std::size_t i = 0; i < c.b.size(); ++i) {
+         const Point3 &p = c.b[i], &q = c.a[i];
+         (void)first_touch(tree, Translating{Sphere3{p, 0.125}, Vector3{q.x - p.x, q.y - p.y, q.z - p.z}});
+       }
+     },
+     36, 1},
     // boxes
     {"overlapping_pairs", "space/broad_phase/overlapping_pairs.hpp", quadratic, 20,
      [](const Cloud& c) {

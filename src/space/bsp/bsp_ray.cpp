@@ -5,6 +5,7 @@
 
 #include "certify/finite.hpp"
 #include "plumb/arith/error.hpp"
+#include "space/bsp/face_figure.hpp"
 #include "space/bsp/ray_planes.hpp"
 
 namespace plumb {
@@ -124,20 +125,6 @@ std::vector<FaceThere> faces_near(const BspTree& tree, const RayPlanes& planes, 
   return faces;
 }
 
-Polygon3 polygon_of(const BspTree& tree, std::uint32_t face) {
-  Polygon3 polygon;
-  const std::uint32_t count = tree.mesh.first[face + 1] - tree.mesh.first[face];
-  for (std::uint32_t i = 0; i < count; ++i) polygon.vertices.push_back(tree.vertex(face, i));
-  return polygon;
-}
-
-/// Asks the face as the figure that it is.
-template <class Ask>
-auto of_face(const BspTree& tree, std::uint32_t face, const Ask& ask) {
-  if (tree.mesh.first[face + 1] - tree.mesh.first[face] > 3) return ask(polygon_of(tree, face));
-  return ask(Triangle3{tree.vertex(face, 0), tree.vertex(face, 1), tree.vertex(face, 2)});
-}
-
 /// The exact parameter of a place.
 Rational parameter_of(const BspTree& tree, const AnyRay& ray, const RayPlace& place) {
   if (place.plane == space::ray_begin) return Rational(0);
@@ -190,11 +177,12 @@ std::optional<BspHit> first_hit(const BspTree& tree, const AnyRay& ray) {
   for (const FaceThere& f : faces_near(tree, walk.planes(), place)) {
     if (f.is_parallel) {  // it may have been hit before, where it is no boundary
       if (!t) t = parameter_of(tree, ray, place);
-      const auto first = of_face(tree, f.face, [&](const auto& face) { return first_hit_parameter(ray, face); });
+      const auto first =
+          space::ask_face(tree, f.face, [&](const auto& face) { return first_hit_parameter(ray, face); });
       if (!first || *first != RayParameter{*t}) continue;
     }
     const auto hit =
-        of_face(tree, f.face, [&](const auto& face) -> std::optional<Hit> { return first_hit(ray, face); });
+        space::ask_face(tree, f.face, [&](const auto& face) -> std::optional<Hit> { return first_hit(ray, face); });
     if (hit) return BspHit{f.face, *hit, found.solid_leaf, from_inside};
   }
   return {};
