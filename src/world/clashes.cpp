@@ -111,7 +111,10 @@ Clashes find_clashes(std::span<const TriangleMesh> parts, std::span<const AskedP
     const FoundClash& answer = answers[asked.question];
     if (answer.clash.kind == ClashKind::apart) continue;
     Clash clash = answer.clash;
-    clash.place = world::place_of(parts[asked.a], parts[asked.b], answer.at);
+    const bool is_of_other = asked.turned && answer.at.kind == world::PlaceKind::nearest;
+    clash.place = is_of_other ? world::place_of(parts[asked.b], parts[asked.a],
+                                                {world::PlaceKind::nearest, answer.at.b, answer.at.a})
+                              : world::place_of(parts[asked.a], parts[asked.b], answer.at);
     if (asked.turned)
       result.found.push_back({asked.b, asked.a, turned_round(std::move(clash))});
     else

@@ -39,6 +39,7 @@ Command bounds_command(CLI::App& program);
 Command bsp_command(CLI::App& program);
 Command bvh_command(CLI::App& program);
 Command check_command(CLI::App& program);
+Command clash_command(CLI::App& program);
 Command closest_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 Command convex_command(CLI::App& program);

@@ -24,6 +24,7 @@ Manual bounds_manual();
 Manual bsp_manual();
 Manual bvh_manual();
 Manual check_manual();
+Manual clash_manual();
 Manual completion_manual();
 Manual convert_manual();
 Manual convex_manual();

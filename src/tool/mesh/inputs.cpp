@@ -81,10 +81,10 @@ void add_folder(const std::string& folder, MeshInputs& all) {
 
 /// read() with the mend of a mesh that is too large; and what was passed over in it is told.
 template <class Read>
-PolygonMesh told(const std::string& file, LoadReport* report, const Read& read) try {
+auto told(const std::string& file, LoadReport* report, const Read& read) try {
   LoadReport own;
   LoadReport& load = report != nullptr ? *report : own;
-  PolygonMesh mesh = read(&load);
+  auto mesh = read(&load);
   for (const PassedOver& p : load.passed_over)
     complain(fmt::format("{}: passed over {}", printable(file), passed_over_text(p)));
   return mesh;
@@ -168,19 +168,23 @@ bool is_any_named(const MeshArguments& arguments, const std::vector<UnreadMesh>&
   });
 }
 
-bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,
-               const std::function<void(UnreadMesh)>& refuse) {
+namespace {
+
+/// read(file, input) for each of them; what that throws is refused, and so is what it returns.
+template <class Input, class Read>
+bool each_input(const MeshInputs& inputs, const Read& read, const std::function<void(Input)>& take,
+                const std::function<void(UnreadMesh)>& refuse) {
   bool good = inputs.faults.empty();
-  const auto refused = [&](const std::string& name, const char* why) {
+  const auto refused = [&](const std::string& name, const std::string& why) {
     complain(why);
     if (refuse) refuse({name, why});
     good = false;
   };
   for (const MeshFileError& e : inputs.faults) refused(e.file, e.what());
   for (const std::string& file : inputs.files) {
-    InputMesh input{name_of_input(file), {}, {}};
+    Input input{name_of_input(file), {}, {}};
     try {
-      input.mesh = read_input(file, &input.load, options);
+      for (const UnreadMesh& part : read(file, input)) refused(part.name, part.why);
     } catch (const Error& e) {
       refused(input.name, e.what());
       continue;
@@ -188,6 +192,32 @@ bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::
     take(std::move(input));
   }
   return good;
+}
+
+}  // namespace
+
+bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,
+               const std::function<void(UnreadMesh)>& refuse) {
+  const auto read = [&](const std::string& file, InputMesh& input) {
+    input.mesh = read_input(file, &input.load, options);
+    return std::vector<UnreadMesh>();
+  };
+  return each_input(inputs, read, take, refuse);
+}
+
+bool each_assembly(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputAssembly)>& take,
+                   const std::function<void(UnreadMesh)>& refuse) {
+  const auto read = [&](const std::string& file, InputAssembly& input) {
+    input.parts = told(input.name, &input.load, [&](LoadReport* load) {
+      return file == "-" ? parse_assembly(bytes_of_input(file), input.name, load, options)
+                         : read_assembly(file, load, options);
+    });
+    std::vector<UnreadMesh> unread;
+    for (const UnreadPart& part : input.parts.unread)
+      unread.push_back({fmt::format("{}: {}", input.name, part.name), fmt::format("{}: {}", part.name, part.why)});
+    return unread;
+  };
+  return each_input(inputs, read, take, refuse);
 }
 
 std::string name_of_input(const std::string& file) { return file == "-" ? "standard input" : file; }

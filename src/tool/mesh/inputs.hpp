@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "plumb/surface/file/read_mesh.hpp"
+#include "plumb/surface/file/read_assembly.hpp"
 
 namespace plumb::tool {
 
@@ -74,6 +74,17 @@ bool is_any_named(const MeshArguments& arguments, const std::vector<UnreadMesh>&
 /// still taken; false then.
 bool each_mesh(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputMesh)>& take,
                const std::function<void(UnreadMesh)>& refuse = {});
+
+struct InputAssembly {
+  std::string name;
+  AssemblyParts parts;
+  LoadReport load;
+};
+
+/// The same of files by the parts that they name.  A part that cannot be read is told to `refuse` by file and name, and
+/// the others of its file are taken.
+bool each_assembly(const MeshInputs& inputs, const ReadOptions& options, const std::function<void(InputAssembly)>& take,
+                   const std::function<void(UnreadMesh)>& refuse);
 
 /// How an input is called: "standard input" for "-".
 std::string name_of_input(const std::string& file);

@@ -10,12 +10,12 @@ namespace plumb::tool {
 namespace {
 
 std::vector<Command> commands_of(CLI::App& app) {
-  return {bounds_command(app),  check_command(app),     fuzz_command(app),     plan_command(app),
-          sign_command(app),    proof_command(app),     doctor_command(app),   ray_command(app),
-          bvh_command(app),     intersect_command(app), distance_command(app), convex_command(app),
-          inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
-          convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app),
-          parts_command(app),   boolean_command(app),   replay_command(app),   bsp_command(app)};
+  return {
+      bounds_command(app),   check_command(app),   fuzz_command(app),   plan_command(app),    sign_command(app),
+      proof_command(app),    doctor_command(app),  ray_command(app),    bvh_command(app),     intersect_command(app),
+      distance_command(app), convex_command(app),  inside_command(app), nearest_command(app), pairs_command(app),
+      section_command(app),  convert_command(app), repair_command(app), closest_command(app), hausdorff_command(app),
+      parts_command(app),    boolean_command(app), replay_command(app), bsp_command(app),     clash_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
@@ -37,8 +37,9 @@ std::string instead_of(const std::string& word) {
           "'plumb parts' parts solids into convex ones or covers them with hulls; of polygons "
           "in the plane the library does that (docs/triangulation.md)",
       scenes =
-          "scenes are not played yet; 'plumb pairs' finds boxes that overlap, 'plumb "
-          "distance' how far two meshes are apart, the library when moving figures meet",
+          "scenes are not played yet; 'plumb clash' says which parts of an assembly are in each other's way, 'plumb "
+          "pairs' finds boxes that overlap, the library when moving figures meet",
+      clashes = "'plumb clash' says which parts of an assembly touch, overlap, pierce or enclose one another",
       hulls =
           "'plumb convex' answers for the convex hulls of meshes; the library makes hulls "
           "(convex_hull, docs/hulls.md)",
@@ -47,7 +48,7 @@ std::string instead_of(const std::string& word) {
           "tables here is answered as JSON too (--json)";
 
   // What words begin with that mean the same: "booleans", "boolean-union", "unions".
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 46> stems{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 47> stems{{
       {"chart", laboratory},    {"stability", laboratory}, {"vectors", laboratory}, {"boolean", solids},
       {"union", solids},        {"unite", solids},         {"difference", solids},  {"subtract", solids},
       {"intersection", solids}, {"csg", solids},           {"arrange", solids},     {"carve", solids},
@@ -58,8 +59,8 @@ std::string instead_of(const std::string& word) {
       {"convexdecomp", parts},  {"convexpart", parts},     {"convexpiece", parts},  {"decompos", parts},
       {"partition", parts},     {"vhacd", parts},          {"coacd", parts},        {"acd", parts},
       {"scene", scenes},        {"simulat", scenes},       {"physics", scenes},     {"colli", scenes},
-      {"motion", scenes},       {"ccd", scenes},           {"hull", hulls},         {"convexhull", hulls},
-      {"python", python},       {"quickhull", hulls},
+      {"interfer", clashes},    {"motion", scenes},        {"ccd", scenes},         {"hull", hulls},
+      {"convexhull", hulls},    {"python", python},        {"quickhull", hulls},
   }};
   std::string plain;
   for (const char c : word) {
