@@ -157,16 +157,19 @@ class MergedContacts {
 
 }  // namespace
 
+std::optional<WorldPair> CollisionWorld::State::pair_of(const BodyHandle& a, const BodyHandle& b) const {
+  const BodyOptions &p = bodies[a.slot]->options, &q = bodies[b.slot]->options;
+  if (!may_meet(p, q)) return {};
+  const bool swaps = std::tie(q.user_id, b) < std::tie(p.user_id, a);
+  return swaps ? WorldPair{q.user_id, p.user_id, b, a, Relation::disjoint}
+               : WorldPair{p.user_id, q.user_id, a, b, Relation::disjoint};
+}
+
 void CollisionWorld::State::update_near() {
-  const auto near_pair = [this](const HandlePair& p) {
-    const std::uint64_t a = bodies[p.a.slot]->options.user_id, b = bodies[p.b.slot]->options.user_id;
-    return NearPair{b < a ? WorldPair{b, a, p.b, p.a, Relation::disjoint}
-                          : WorldPair{a, b, p.a, p.b, Relation::disjoint}};
-  };
   const auto all_of = [&](const std::vector<HandlePair>& handles) {
     std::vector<NearPair> all;
     for (const HandlePair& p : handles) {
-      if (may_meet(bodies[p.a.slot]->options, bodies[p.b.slot]->options)) all.push_back(near_pair(p));
+      if (const auto pair = pair_of(p.a, p.b)) all.push_back({*pair});
     }
     std::sort(all.begin(), all.end(), near_comes_before);
     return all;
@@ -202,10 +205,7 @@ std::vector<std::size_t> CollisionWorld::State::admitted() const {
   std::vector<std::size_t> places;
   places.reserve(near.size());
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const WorldPair& p = near[i].pair;
-    if (!allowed.empty() && allowed.contains(world::by_handles(p.a, p.b))) continue;
-    if (ask_filter != nullptr && !ask_filter(filter.get(), p.a, p.b)) continue;
-    places.push_back(i);
+    if (is_admitted(near[i].pair)) places.push_back(i);
   }
   return places;
 }

@@ -33,11 +33,6 @@ Aabb3 box_of_upright(const query::UprightBox& box) {
   return {{low(0), low(1), low(2)}, {high(0), high(1), high(2)}};
 }
 
-Aabb3 box_of_figure(const AnyFigure& figure) {
-  if (const auto upright = query::upright_box(figure.view())) return box_of_upright(*upright);
-  return query::any_fit_aabb(figure);
-}
-
 bool is_one_pose(const AnyPose& a, const AnyPose& b) { return a.index() != 0 && a == b; }
 
 Relation relation_of_figures(const AnyFigure& a, const AnyFigure& b) {
@@ -66,6 +61,13 @@ Relation relation_of_meshes(const PlacedMesh& a, const PlacedMesh& b) {
 }
 
 }  // namespace
+
+Aabb3 box_of_figure(const AnyFigure& figure) {
+  if (const auto upright = query::upright_box(figure.view())) return box_of_upright(*upright);
+  if (const auto* p = get_if<Point3>(figure))
+    return query::any_fit_aabb(AnyFigure(Segment3{*p, *p}).under(figure.pose()));
+  return query::any_fit_aabb(figure);
+}
 
 PlacedMesh::PlacedMesh(SharedMesh mesh, const AnyPose& pose)
     : mesh_(std::move(mesh)), pose_(pose), posed_(posed_mesh(mesh_.bvh(), pose_)) {}

@@ -45,7 +45,8 @@ using Placed = std::variant<AnyFigure, PlacedMesh>;
 /// Refuses what no world takes: figures of the plane, without an end or under a matrix.
 Placed placed(const AnyBody::Part& part, const AnyPose& body);
 
-/// Tight for figures.
+/// Tight; of a point as well.
+Aabb3 box_of_figure(const AnyFigure& figure);
 Aabb3 box_of(const Placed& part);
 
 Relation relation(const Placed& a, const Placed& b);

@@ -6,6 +6,7 @@
 // Cost: none.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -58,7 +59,13 @@ struct WorldBody {
   AnyPose pose;
   std::vector<Placed> placed;  // part by part
   BodyOptions options;
+  BodyHandle handle{};
 };
+
+inline Aabb3 joined(const Aabb3& a, const Aabb3& b) {
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
+}
 
 }  // namespace world
 
@@ -94,6 +101,14 @@ struct CollisionWorld::State {
     is_changed[slot] = 1;
   }
 
+  [[nodiscard]] BodyHandle handle(std::uint32_t slot) const { return bodies[slot]->handle; }
+  /// Nothing where masks leave it out.
+  [[nodiscard]] std::optional<WorldPair> pair_of(const BodyHandle& a, const BodyHandle& b) const;
+  /// By the matrix and the filter.
+  [[nodiscard]] bool is_admitted(const WorldPair& p) const {
+    if (!allowed.empty() && allowed.contains(world::by_handles(p.a, p.b))) return false;
+    return ask_filter == nullptr || ask_filter(filter.get(), p.a, p.b);
+  }
   /// Brings `near` to what the boxes are now.
   void update_near();
   /// Those of them that no filter leaves out now, by their places in `near`.

@@ -29,11 +29,6 @@ Aabb3 enlarged(const Aabb3& b, double margin) {
   return {{low(b.min.x), low(b.min.y), low(b.min.z)}, {high(b.max.x), high(b.max.y), high(b.max.z)}};
 }
 
-Aabb3 joined(const Aabb3& a, const Aabb3& b) {
-  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
-          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
-}
-
 /// The parts where they stand, and the box of all.
 struct Stand {
   std::vector<Placed> placed;
@@ -47,7 +42,7 @@ Stand stand(const char* function, const std::vector<AnyBody::Part>& parts, const
     for (const AnyBody::Part& part : parts) {
       made.placed.push_back(world::placed(part, pose));
       const Aabb3 box = world::box_of(made.placed.back());
-      made.box = made.placed.size() == 1 ? box : joined(made.box, box);
+      made.box = made.placed.size() == 1 ? box : world::joined(made.box, box);
     }
     made.box = enlarged(made.box, options.margin);
     return made;
@@ -67,7 +62,7 @@ BodyHandle CollisionWorld::add(const AnyBody& body, const BodyOptions& options) 
   State& s = *state_;
   require_options("CollisionWorld::add", options);
   Stand made = stand("CollisionWorld::add", body.parts(), body.pose(), options);
-  WorldBody kept{body.parts(), body.pose(), std::move(made.placed), options};
+  WorldBody kept{body.parts(), body.pose(), std::move(made.placed), options, {}};
   const BodyHandle handle = s.boxes.insert(made.box);
   try {
     if (s.bodies.size() <= handle.slot) {
@@ -79,6 +74,7 @@ BodyHandle CollisionWorld::add(const AnyBody& body, const BodyOptions& options) 
     s.boxes.remove(handle);
     throw;
   }
+  kept.handle = handle;
   s.bodies[handle.slot] = std::move(kept);
   return handle;
 }
@@ -106,7 +102,7 @@ void CollisionWorld::replace(const BodyHandle& body, const AnyBody& by) {
   State& s = *state_;
   WorldBody& at = s.body("CollisionWorld::replace", body);
   Stand made = stand("CollisionWorld::replace", by.parts(), by.pose(), at.options);
-  WorldBody kept{by.parts(), by.pose(), std::move(made.placed), at.options};
+  WorldBody kept{by.parts(), by.pose(), std::move(made.placed), at.options, body};
   s.note_changed(body.slot);
   s.boxes.move(body, made.box);
   at = std::move(kept);
@@ -156,7 +152,7 @@ const std::vector<WorldPair>& CollisionWorld::pairs() const { return state_->pai
 
 std::vector<BodyHandle> CollisionWorld::overlaps(const AnyFigure& figure, std::uint32_t mask) const {
   std::vector<BodyHandle> found;
-  for (const BodyHandle& handle : state_->boxes.in_box(query::any_fit_aabb(figure))) {
+  for (const BodyHandle& handle : state_->boxes.in_box(world::box_of_figure(figure))) {
     const WorldBody& body = *state_->bodies[handle.slot];
     if ((body.options.group & mask) == 0) continue;
     if (std::ranges::any_of(body.placed, [&](const Placed& part) { return world::meet(part, figure); })) {

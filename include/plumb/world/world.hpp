@@ -18,7 +18,9 @@
 // the same on any number of threads.
 // A handle of a body that was removed, or of none, throws StaleHandle.  NonFinite and InvalidShape name the body by its
 // user id; Unsupported refuses a figure of the plane or without an end, UnevenPose one under a matrix.
-// Source: RTCD 2.4.1.
+// (8) Rays, distances, casts and motions are those of the figures and triangles themselves, exactly, and answers are
+// ordered by exact numbers.
+// Source: RTCD 2.4.1, 2.4.3.
 // Cost: that of MovingBoxes for what has moved, and relate, and contact where it is asked for, for each pair of boxes that
 // overlap of which a body has changed.  Nothing is searched but by MovingBoxes.
 #pragma once
@@ -26,6 +28,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,6 +37,8 @@
 #include "plumb/figure/basic/relation.hpp"
 #include "plumb/query/body/any_figure.hpp"
 #include "plumb/query/contact/contact.hpp"
+#include "plumb/query/ray/ray.hpp"
+#include "plumb/query/time_of_impact/motion.hpp"
 #include "plumb/space/broad_phase/moving_boxes.hpp"
 #include "plumb/world/any_body.hpp"
 
@@ -97,6 +103,51 @@ struct WorldContactEvents {
   std::vector<WorldCorner> begun, ended;
 };
 
+/// What a ray hits of a body first.
+struct WorldHit {
+  std::uint64_t user_id;
+  BodyHandle body;
+  BodyPart part;
+  Hit hit;
+  friend bool operator==(const WorldHit&, const WorldHit&) = default;
+};
+
+/// How far a body is; the part that is nearest.
+struct WorldNear {
+  std::uint64_t user_id;
+  BodyHandle body;
+  BodyPart part;
+  double distance;
+  friend bool operator==(const WorldNear&, const WorldNear&) = default;
+};
+
+/// When what moves comes to a body first; feature_a is that of what moves.
+struct WorldCast {
+  std::uint64_t user_id;
+  BodyHandle body;
+  BodyPart part;
+  Contact contact;
+  friend bool operator==(const WorldCast&, const WorldCast&) = default;
+};
+
+/// A body that moves by a vector during time [0, 1].
+struct BodyMotion {
+  BodyHandle body;
+  Vector3 by;
+};
+
+/// When two bodies meet first.  Impacts of one rank are at exactly one time.
+struct WorldImpact {
+  std::uint64_t id_a, id_b;
+  BodyHandle a, b;
+  BodyPart part_a, part_b;
+  Contact contact;  // its time is rounded down
+  std::size_t rank;
+  friend bool operator==(const WorldImpact&, const WorldImpact&) = default;
+};
+
+inline constexpr std::uint32_t every_group = 0xffffffff;
+
 class CollisionWorld {
  public:
   explicit CollisionWorld(const CollisionWorldOptions& options = {});
@@ -141,8 +192,39 @@ class CollisionWorld {
   [[nodiscard]] const std::vector<WorldContact>& contacts() const;
   [[nodiscard]] const WorldContactEvents& contact_events() const;
 
-  /// The bodies that have a point in the figure, as they stand now, whose group has a bit of the mask.
-  [[nodiscard]] std::vector<BodyHandle> overlaps(const AnyFigure& figure, std::uint32_t mask = 0xffffffff) const;
+  // Of the bodies as they stand now, whose group has a bit of the mask.
+  /// Those that have a point in the figure.
+  [[nodiscard]] std::vector<BodyHandle> overlaps(const AnyFigure& figure, std::uint32_t mask = every_group) const;
+
+  /// Of a ray, a segment or a line: of the least parameter, exactly, of equal ones the body that comes first by user id.
+  /// Points and segments, which first_hit is not asked about, are never hit.
+  [[nodiscard]] std::optional<WorldHit> first_hit(const AnyRay& ray, std::uint32_t mask = every_group) const;
+  [[nodiscard]] bool any_hit(const AnyRay& ray, std::uint32_t mask = every_group) const;
+  /// Of each body that is hit the first one, in the order of the ray.
+  [[nodiscard]] std::vector<WorldHit> hits(const AnyRay& ray, std::uint32_t mask = every_group) const;
+  /// Each ray is answered as if alone; spans of different lengths throw UnequalLengths.
+  void first_hit(std::span<const AnyRay> rays, std::span<std::optional<WorldHit>> out,
+                 std::uint32_t mask = every_group) const;
+
+  /// The bodies nearest to a bounded figure, as a Point3 is, nearest first: by exact distances, equal ones by user id.
+  [[nodiscard]] std::vector<WorldNear> nearest(const AnyFigure& figure, std::size_t k = 1,
+                                               std::uint32_t mask = every_group) const;
+  /// All whose distance is at most that, in the same order; none is within a negative one.
+  [[nodiscard]] std::vector<WorldNear> within(const AnyFigure& figure, double distance,
+                                              std::uint32_t mask = every_group) const;
+
+  /// Shape cast: the figure moves by a vector during time [0, 1], the bodies stand still.  The first by exact times, of
+  /// equal ones by user id.
+  [[nodiscard]] std::optional<WorldCast> first_contact(const AnyFigure& figure, const Vector3& by,
+                                                       std::uint32_t mask = every_group) const;
+  /// Of each body that it comes to, in the same order.
+  [[nodiscard]] std::vector<WorldCast> contacts_along(const AnyFigure& figure, const Vector3& by,
+                                                      std::uint32_t mask = every_group) const;
+
+  /// Continuous motion: all pairs that meet while bodies move at once, the others stand still, with their first time:
+  /// those that commit() asks about, of which one moves at least.  In the order of exact times, of equal ones in that of
+  /// pairs.  The bodies stay where they are.  A body that is named twice throws InvalidShape.
+  [[nodiscard]] std::vector<WorldImpact> first_contacts(std::span<const BodyMotion> motions) const;
 
  private:
   using AskFilter = bool (*)(void* filter, const BodyHandle& a, const BodyHandle& b);

@@ -8,6 +8,7 @@
 #include "plumb/space/bvh/build.hpp"
 #include "plumb/space/bvh/descend.hpp"
 #include "plumb/space/ray/ray_slabs.hpp"
+#include "space/closest/box_distance.hpp"
 #include "space/pairs/boxes_meet.hpp"
 #include "space/pairs/leaf_pairs.hpp"
 
@@ -157,27 +158,65 @@ std::vector<std::uint32_t> AskedBoxes::in_box(const SlotBoxes& all, const Aabb3&
 }
 
 std::optional<AskedBoxes::SlotHit> AskedBoxes::first_hit(const SlotBoxes& all, const AnyRay& ray) const {
-  return asked(all, of_ray_beside, [&] {
+  BestHit best{ray, all, {}, {}};
+  along(all, ray, [&](std::uint32_t slot) {
+    best.show(slot);
+    return best.best ? best.best->hit.t : beyond_doubles;
+  });
+  return best.best;
+}
+
+void AskedBoxes::along(const SlotBoxes& all, const AnyRay& ray,
+                       const std::function<double(std::uint32_t)>& show) const {
+  asked(all, of_ray_beside, [&] {
     // Keys of the ray begin where it comes to all boxes, those beside the tree too.
     FloatBox3 around = tree_.box();
     for_each_beside(all, [&](std::uint32_t slot) { add_to(around, tree_.frame.around(all.boxes[slot])); });
     const RaySlabs slabs(ray, tree_.frame, around);
-    BestHit best{ray, all, {}, {}};
-    double limit = slabs.limit();
-    const auto show = [&](std::uint32_t slot) {
-      if (best.show(slot)) limit = std::min(limit, slabs.limit_at(std::nextafter(best.best->hit.t, beyond_doubles)));
+    double limit = slabs.limit(), last = beyond_doubles;
+    const auto look = [&](std::uint32_t slot) {
+      const double most = show(slot);
+      if (most == last) return;
+      last = most;
+      limit = std::min(limit, slabs.limit_at(std::nextafter(most, beyond_doubles)));
     };
     for_each_beside(all, [&](std::uint32_t slot) {
       const auto [min, max] = tree_.frame.around(all.boxes[slot]);
-      if (!(slabs({min, 0, max, 0}) > limit)) show(slot);
+      if (!(slabs({min, 0, max, 0}) > limit)) look(slot);
     });
     descend_nearer_first(tree_, limit, slabs, [&](std::uint32_t first, std::uint32_t count, double&) {
       for (std::uint32_t s = first; s < first + count; ++s) {
         const std::uint32_t slot = slot_of_[tree_.items[s]];
-        if (is_beside_[slot] == 0) show(slot);
+        if (is_beside_[slot] == 0) look(slot);
       }
     });
-    return best.best;
+  });
+}
+
+void AskedBoxes::near(const SlotBoxes& all, const Aabb3& box, double within,
+                      const std::function<double(std::uint32_t)>& show) const {
+  asked(all, of_box_beside, [&] {
+    SquareLimits limits = limits_above(tree_.frame, within);
+    double last = within;
+    const auto look = [&](std::uint32_t slot) {
+      if (square_below(all.boxes[slot], box) > limits.of_figures) return;
+      const double most = show(slot);
+      if (most == last) return;
+      last = most;
+      limits = limits_above(tree_.frame, most);
+    };
+    for_each_beside(all, look);
+    const FloatBox3 at = tree_.frame.around(box);
+    double limit = limits.of_nodes;
+    descend_nearer_first(
+        tree_, limit, [&](const BoxNode& node) { return square_below(at, node); },
+        [&](std::uint32_t first, std::uint32_t count, double& now) {
+          for (std::uint32_t s = first; s < first + count; ++s) {
+            const std::uint32_t slot = slot_of_[tree_.items[s]];
+            if (is_beside_[slot] == 0) look(slot);
+          }
+          now = limits.of_nodes;
+        });
   });
 }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <shared_mutex>
 #include <span>
 #include <vector>
@@ -50,6 +51,13 @@ class AskedBoxes {
   [[nodiscard]] std::vector<std::uint32_t> in_box(const SlotBoxes& all, const Aabb3& box, bool touching) const;
   /// Of the least parameter, exactly, and of equal ones the lowest slot.
   [[nodiscard]] std::optional<SlotHit> first_hit(const SlotBoxes& all, const AnyRay& ray) const;
+  /// show(slot) of each box that may be hit, at a parameter no larger than what it returned last; as a rule the nearer
+  /// first.
+  void along(const SlotBoxes& all, const AnyRay& ray, const std::function<double(std::uint32_t)>& show) const;
+  /// show(slot) of each box that may be within a distance of another box, which is what it returned last, and at first
+  /// `within`; a distance that rounds to it counts.
+  void near(const SlotBoxes& all, const Aabb3& box, double within,
+            const std::function<double(std::uint32_t)>& show) const;
 
  private:
   static bool is_within(const Aabb3& box, const Aabb3& fat) {

@@ -31,6 +31,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -106,6 +107,14 @@ class MovingBoxes {
                                               std::vector<BoxHandle> rows = {}) const;
   /// Of a ray, a segment or a line.
   [[nodiscard]] std::optional<HandleHit> first_hit(const AnyRay& ray) const;
+
+  // For questions about what the boxes hold.
+  /// most(handle) of each box that a ray, a segment or a line may hit, at a parameter not above the least that it has
+  /// returned so far; it returns infinity to see all.
+  void visit_along(const AnyRay& ray, const std::function<double(const BoxHandle&)>& most) const;
+  /// most(handle) of each box that may come as near to another as the least distance that it has returned so far, and as
+  /// `within`; what rounds to that counts.
+  void visit_near(const Aabb3& box, double within, const std::function<double(const BoxHandle&)>& most) const;
 
  private:
   struct State;
