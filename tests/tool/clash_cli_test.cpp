@@ -4,11 +4,14 @@
 
 #include <filesystem>
 #include <fstream>
+#include <pugixml.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "figure/basic/solids.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
+#include "surface/file/zip_archive.hpp"
 #include "tool/clash/rules.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
@@ -131,6 +134,55 @@ TEST(ClashCommand, TellsWhatCannotBeRead) {
   const json said = json::parse(content(folder / "arm.json"));
   EXPECT_EQ(said.at("assembly")[0].at("part_name"), "nut");
   EXPECT_EQ(said.at("not_read")[0].at("mesh"), "arm.gltf: bolt");
+}
+
+/// The names of the elements in an element, in order.
+std::vector<std::string> children(const pugi::xml_node& of) {
+  std::vector<std::string> names;
+  for (const pugi::xml_node& n : of.children()) names.emplace_back(n.name());
+  return names;
+}
+
+// Elements and their order as version.xsd, markup.xsd and visinfo.xsd of BCF 2.1 have them.
+TEST(ClashCommand, WritesTopicsOfBcf) {
+  const Folder folder;
+  const std::string at = with_parts(folder);
+  std::filesystem::rename(folder / "parts/lid.stl", folder / "parts/a&b <lid>.stl");
+  ASSERT_EQ(run(at + "parts --ignore duplicate --bcf out.bcf --json out.json").code, 0);
+  const std::string bytes = content(folder / "out.bcf");
+  surface::ZipArchive archive(bytes, "out.bcf", 1U << 20U);
+  const auto document = [&](const std::string& name) {
+    pugi::xml_document made;
+    const auto text = archive.entry(name);
+    EXPECT_TRUE(text && made.load_buffer(text->data(), text->size())) << name;
+    return made;
+  };
+  const auto version = document("bcf.version");
+  EXPECT_STREQ(version.child("Version").attribute("VersionId").value(), "2.1");
+  // Folders stand in the archive's directory by their names.
+  std::set<std::string> topics;
+  const std::string end = "/markup.bcf";
+  for (std::size_t i = bytes.find(end); i != std::string::npos; i = bytes.find(end, i + 1))
+    topics.insert(bytes.substr(i - 36, 36));
+  const json report = json::parse(content(folder / "out.json"));
+  ASSERT_EQ(topics.size(), report.at("clashes").size());
+  std::set<std::string> titles;
+  for (const std::string& topic : topics) {
+    EXPECT_THAT(topic, testing::MatchesRegex("[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}"));
+    const auto markup = document(topic + "/markup.bcf"), view = document(topic + "/viewpoint.bcfv");
+    EXPECT_THAT(children(markup.child("Markup")), testing::ElementsAre("Topic", "Viewpoints"));
+    const auto of = markup.child("Markup").child("Topic");
+    EXPECT_EQ(of.attribute("Guid").value(), topic);
+    EXPECT_THAT(children(of), testing::ElementsAre("Title", "CreationDate", "CreationAuthor", "Description"));
+    titles.insert(of.child("Title").text().get());
+    const auto shown = view.child("VisualizationInfo");
+    EXPECT_STREQ(markup.child("Markup").child("Viewpoints").attribute("Guid").value(), shown.attribute("Guid").value());
+    EXPECT_THAT(children(shown), testing::ElementsAre("Components", "PerspectiveCamera"));
+    EXPECT_THAT(children(shown.child("Components")), testing::ElementsAre("Selection", "Visibility"));
+    EXPECT_THAT(children(shown.child("PerspectiveCamera")),
+                testing::ElementsAre("CameraViewPoint", "CameraDirection", "CameraUpVector", "FieldOfView"));
+  }
+  EXPECT_THAT(titles, testing::Contains("a&b <lid> - plate: touching"));
 }
 
 TEST(ClashPatterns, MatchNames) {

@@ -8,9 +8,12 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/certify/thread_limit.hpp"
+#include "plumb/figure/aabb/aabb.hpp"
 #include "plumb/query/ray/parity.hpp"
+#include "tool/clash/bcf.hpp"
 #include "tool/clash/rules.hpp"
 #include "tool/terminal/json_text.hpp"
+#include "tool/terminal/origin.hpp"
 #include "tool/terminal/output_files.hpp"
 #include "tool/terminal/progress.hpp"
 
@@ -29,6 +32,12 @@ void number_names(std::vector<AssemblyMember>& parts) {
       if (!used.contains(part.name)) break;
     }
   }
+}
+
+double longest_edge_of_box(const TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) return 0;
+  const Aabb3 box = fit_aabb(std::span<const Point3>(mesh.vertices));
+  return std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
 }
 
 /// What rules say of the pairs in reach: those that are asked, and of each what is ignored.
@@ -81,6 +90,7 @@ int run_clash(const ClashArguments& options) {
   OutputFiles outputs(inputs.files);
   outputs.promise("--json", options.json);
   outputs.promise("--csv", options.csv);
+  outputs.promise("--bcf", options.bcf);
   const ThreadLimit limit(options.threads);
   const bool says = !outputs.on_standard_output();
   if (says)
@@ -95,8 +105,8 @@ int run_clash(const ClashArguments& options) {
         outputs.require_not_read(input.load.files_beside);
         for (AssemblyPart& part : input.parts.parts) {
           const bool closed = !part.mesh.triangles.empty() && is_closed(part.mesh);
-          report.parts.push_back(
-              {part.name, input.name, part.mesh.vertices.size(), part.mesh.triangles.size(), closed});
+          report.parts.push_back({part.name, input.name, part.mesh.vertices.size(), part.mesh.triangles.size(), closed,
+                                  longest_edge_of_box(part.mesh)});
           meshes.push_back(std::move(part.mesh));
         }
       },
@@ -122,6 +132,7 @@ int run_clash(const ClashArguments& options) {
   if (says) say(clash_text(report, options.all, Style(stdout)));
   if (options.json) outputs.write("--json", json_text(clash_json(report)));
   if (options.csv) outputs.write("--csv", clash_csv(report));
+  if (options.bcf) outputs.write("--bcf", clash_bcf(report, origin_json("plumb clash").at("date").get<std::string>()));
   if (!is_any_named(options.meshes, report.unread)) outputs.keep();
   if (!all_good) return 2;
   return options.fail_on_found && !report.clashes.empty() ? 1 : 0;

@@ -2,7 +2,7 @@
 //
 // Laws: (1) a part is what plumb/surface/file/read_assembly.hpp says of its file; parts of one name are told apart by
 // numbers (bolt, bolt#2), in their order.  (2) The words are those of plumb/world/clash.hpp; rules and --ignore say which
-// are left out, and they are counted.  (3) Text, JSON and CSV tell the same; text names the first clashes, or all.  (4)
+// are left out, and they are counted.  (3) Text, JSON, CSV and BCF tell the same; text names the first clashes, or all.  (4)
 // A part or file that cannot be read is told by its name, all others are asked, and the report is kept; but where a file
 // that was named cannot be read at all, nothing is kept.
 // Exit code 0 when done, 1 where --fail-on-found is given and a clash is listed, 2 where anything cannot be read; words
@@ -28,8 +28,8 @@ struct ClashArguments {
   std::vector<std::string> rules;   // as rules.hpp has them
   std::vector<std::string> ignore;  // of clash_words()
   bool all = false, fail_on_found = false;
-  bool unmeasured = false;               // without volumes and depths
-  std::optional<std::string> json, csv;  // "-" is standard output
+  bool unmeasured = false;                    // without volumes and depths
+  std::optional<std::string> json, csv, bcf;  // "-" is standard output
   unsigned threads = 0;
 };
 
@@ -39,6 +39,7 @@ struct AssemblyMember {
   std::string name, file;
   std::size_t vertices = 0, triangles = 0;
   bool closed = false;
+  double size = 0;  // the longest edge of its box, rounded, for pictures
 };
 
 struct ClashReport {

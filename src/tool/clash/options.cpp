@@ -28,6 +28,7 @@ Command clash_command(CLI::App& program) {
   parser->add_flag("--fail-on-found", o.fail_on_found, "Exit with 1 where a clash is listed.");
   add_output(parser, "--json", o.json, "Write parts and every clash as JSON");
   add_output(parser, "--csv", o.csv, "Write a row for each clash as CSV");
+  add_output(parser, "--bcf", o.bcf, "Write a topic with a viewpoint for each clash as BCF 2.1");
   add_threads(parser, o.threads);
   return {parser, clash_manual, [options] { return run_clash(*options); }, &o.meshes.words};
 }

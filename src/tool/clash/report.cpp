@@ -18,7 +18,7 @@ json or_null(const std::optional<T>& x) {
   return x ? json(*x) : json();
 }
 
-std::string about(const Clash& c, const ClashReport& report, const PartClash& pair) {
+std::string measures_text(const Clash& c, const ClashReport& report, const PartClash& pair) {
   std::string text;
   if (c.inner)
     text += fmt::format(", {} in {}", printable(report.parts[*c.inner == 0 ? pair.a : pair.b].name),
@@ -72,7 +72,7 @@ std::string clash_text(const ClashReport& report, bool all, const Style& style) 
     const bool mild = c.kind == ClashKind::touching || c.kind == ClashKind::within_clearance;
     text += fmt::format("{} - {}: {} at ({}, {}, {}){}\n", style.bold(printable(report.parts[pair.a].name)),
                         style.bold(printable(report.parts[pair.b].name)), mild ? style.yellow(word) : style.red(word),
-                        c.place.x, c.place.y, c.place.z, about(c, report, pair));
+                        c.place.x, c.place.y, c.place.z, measures_text(c, report, pair));
   }
   if (shown < report.clashes.size())
     text += fmt::format("and {} more, which '--all' lists\n", grouped(report.clashes.size() - shown));
