@@ -22,5 +22,6 @@ void add_surface(pybind11::module_& module);
 void add_topology(pybind11::module_& module);
 void add_generated(pybind11::module_& module);
 void add_fuzzing(pybind11::module_& module);
+void add_world(pybind11::module_& module);
 
 }  // namespace plumb::python

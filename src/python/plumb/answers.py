@@ -8,7 +8,8 @@ __all__ = ["Arrangement", "BoundaryLoop", "ClosestPoints", "Combined", "ConvexPa
            "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
            "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
            "MergedVertex", "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support",
-           "SurfaceKind", "Voronoi", "Welded"]
+           "SurfaceKind", "Voronoi", "Welded", "WorldCast", "WorldContact", "WorldEvents", "WorldHit", "WorldImpact",
+           "WorldNear"]
 
 
 class Feature(NamedTuple):
@@ -311,3 +312,58 @@ class HausdorffDistance(NamedTuple):
     is_within: bool  # the tolerance that was asked for
     of_other: bool  # the point is one of the other mesh
     point: Any  # float64, shape (3,)
+
+
+class WorldEvents(NamedTuple):
+    """Pairs of bodies, by handles, that have begun to meet, are kept, and have ended."""
+
+    begun: Any  # uint64, shape (n, 2)
+    kept: Any
+    ended: Any
+
+
+class WorldContact(NamedTuple):
+    """Where a part of a body touches a part of another one."""
+
+    a: int  # handles
+    b: int
+    part_a: Tuple[int, int]  # the part of a compound and the triangle of a mesh, 0 where there is one alone
+    part_b: Tuple[int, int]
+    contact: Contact
+
+
+class WorldHit(NamedTuple):
+    """Which body of a world a ray hits first, and where."""
+
+    body: int
+    part: Tuple[int, int]
+    t: float  # in lengths of the direction
+    point: Any  # float64, shape (3,)
+    normal: Any  # of any length
+
+
+class WorldNear(NamedTuple):
+    """A body of a world, and how far it is from what was asked about."""
+
+    body: int
+    part: Tuple[int, int]
+    distance: float
+
+
+class WorldCast(NamedTuple):
+    """The body of a world that a moving figure comes to first."""
+
+    body: int
+    part: Tuple[int, int]
+    contact: FirstContact
+
+
+class WorldImpact(NamedTuple):
+    """Two bodies of a world that meet in motion; those of one rank do at exactly one time."""
+
+    a: int
+    b: int
+    part_a: Tuple[int, int]
+    part_b: Tuple[int, int]
+    contact: FirstContact
+    rank: int
