@@ -48,9 +48,10 @@ std::array<TriangleMesh, 2> meeting_triangles(const ClashPart& a, const ClashPar
   return {meeting_triangles(a, std::move(of_a)), meeting_triangles(b, std::move(of_b))};
 }
 
-class Contact {
+class CutContact {
  public:
-  Contact(const ClashPart& a, const ClashPart& b, const FacePool& pool, const FacetList& list, const PointTable& table)
+  CutContact(const ClashPart& a, const ClashPart& b, const FacePool& pool, const FacetList& list,
+             const PointTable& table)
       : parts_{&a, &b}, list_(list), table_(table), jumps_(list.facets.size()) {
     for (std::size_t f = 0; f < jumps_.size(); ++f)
       for (const surface::CoveringFace& by : list.covers_of(f))
@@ -151,7 +152,7 @@ Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const T
   PointTable table(pool.mesh.vertices);
   const auto classes = surface::find_plane_classes(pool, build_bvh(pool.mesh), table);
   const FacetList list = surface::divide_planes(pool, table, classes);
-  return Contact(a, b, pool, list, table).look();
+  return CutContact(a, b, pool, list, table).look();
 }
 
 }  // namespace plumb::world

@@ -60,15 +60,15 @@ struct Parse {
   void begin_part(FileParts::Kind kind, std::string_view name) {
     if (parts != nullptr) parts->starts.push_back({kind, std::string(name), mesh.first.size() - 1});
   }
-  /// Calls read_it(), which puts a part of that name at the mesh's end.  Where parts are wanted and this one cannot be read,
+  /// Calls put(), which puts a part of that name at the mesh's end.  Where parts are wanted and this one cannot be read,
   /// it is left out and noted.
   template <class Read>
-  void read_part(const std::string& name, const Read& read_it) {
-    if (parts == nullptr) return read_it();
+  void read_part(const std::string& name, const Read& put) {
+    if (parts == nullptr) return put();
     const std::size_t vertices = mesh.vertices.size(), corners = mesh.corners.size(), faces = mesh.first.size();
     begin_part(FileParts::Kind::placed, name);
     try {
-      read_it();
+      put();
     } catch (const MeshFileError& e) {
       if (e.problem == MeshFileProblem::too_large) throw;
       mesh.vertices.resize(vertices);
