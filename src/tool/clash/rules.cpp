@@ -12,8 +12,8 @@
 namespace plumb::tool {
 namespace {
 
-constexpr std::array<std::string_view, clash_kinds> words{"apart",    "within-clearance", "touching", "overlapping",
-                                                          "piercing", "enclosed",         "duplicate"};
+constexpr std::array<std::string_view, clash_kinds> kind_words{
+    "apart", "within-clearance", "touching", "overlapping", "piercing", "enclosed", "duplicate"};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
@@ -35,12 +35,12 @@ bool fits(const ClashRule& rule, std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::vector<std::string> clash_words() { return {words.begin() + 1, words.end()}; }
+std::vector<std::string> clash_words() { return {kind_words.begin() + 1, kind_words.end()}; }
 
 ClashKind clash_word(std::string_view word) {
-  const auto* const at = std::ranges::find(words.begin() + 1, words.end(), word);
-  if (at == words.end()) throw Error(fmt::format("there is no word '{}' for clashes", printable(word)));
-  return static_cast<ClashKind>(at - words.begin());
+  const auto* const at = std::ranges::find(kind_words.begin() + 1, kind_words.end(), word);
+  if (at == kind_words.end()) throw Error(fmt::format("there is no word '{}' for clashes", printable(word)));
+  return static_cast<ClashKind>(at - kind_words.begin());
 }
 
 ClashRule parse_clash_rule(const std::string& text) {
