@@ -26,6 +26,8 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/predicates/standard.hpp"
+
 namespace plumb {
 
 namespace query {
