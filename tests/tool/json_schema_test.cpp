@@ -40,7 +40,7 @@ void put_inputs(const Folder& folder) {
   std::ofstream(folder / "flat_boxes.csv") << "0,0,1,1\n0.1,0.1,2,2\n";
   std::ofstream(folder / "points.csv") << "0,0,0\n1,1,1\n0.1,0,0\n1,0,0\n";
   std::ofstream(folder / "questions.txt") << "relate | ball3 0 0 0 1 | ball3 2 0 0 1 = disjoint\n"
-                                          << "distance | point3 0 0 0 | point3 3 4 0\nrelate | ball3 0 0 0 1\n";
+                                          << "distance | point3 0 0 0 | point3 3 4 0\n";
   std::ofstream(folder / "probes.txt") << "0.5 0.5 0.5\n0 0 0\n2 2 2\n";
 }
 
