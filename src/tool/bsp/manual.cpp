@@ -15,8 +15,8 @@ pieces are exact: their corners are not rounded.
 
 With --leaves solid, as it is without the option, each leaf is told to be
 inside the solid or outside; MESH has to be closed then, but may cross
-itself. With --leaves pieces the faces are handed down to the leaves, with
---leaves none they stay with the planes; both take any mesh.
+itself. With --leaves pieces the faces are handed down to the leaves,
+with --leaves none they stay with the planes; both take any mesh.
 
 With --planes faces the planes across the axes are left out. The tree of
 a convex mesh is then as deep as it has faces, and takes a time that
