@@ -261,7 +261,7 @@ const Reader& reader_named(std::string_view word) {
 
 }  // namespace
 
-std::string query::text_of(const PosedView& posed) {
+std::string query::figure_line(const PosedView& posed) {
   std::string line;
   query::with_figure(posed.figure, [&line]<class Shape>(const Shape& s) {
     line = name_of_shape<Shape>();
@@ -278,7 +278,7 @@ std::string query::text_of(const PosedView& posed) {
   return line;
 }
 
-std::string to_string(const AnyFigure& figure) { return query::text_of(figure.view()); }
+std::string to_string(const AnyFigure& figure) { return query::figure_line(figure.view()); }
 
 std::optional<AnyFigure> parse_figure(std::string_view line) {
   const std::string_view word = next_word(line);

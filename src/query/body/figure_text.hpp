@@ -10,6 +10,6 @@
 
 namespace plumb::query {
 
-std::string text_of(const PosedView& posed);
+std::string figure_line(const PosedView& posed);
 
 }  // namespace plumb::query

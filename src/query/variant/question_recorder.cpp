@@ -24,7 +24,7 @@ std::atomic<QuestionRing*> living_ring{nullptr};
 std::string question_text(std::string_view question, std::initializer_list<PosedView> figures,
                           std::initializer_list<double> numbers) {
   std::string text(question);
-  for (const PosedView& figure : figures) text.append(" | ").append(text_of(figure));
+  for (const PosedView& figure : figures) text.append(" | ").append(figure_line(figure));
   if (numbers.size() != 0) text.append(" |");
   for (const double x : numbers) {
     text += ' ';
