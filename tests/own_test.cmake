@@ -72,6 +72,9 @@ function(add_own_test source)
   if(source MATCHES "^(surface|tool)/")  # they write packed files
     target_link_libraries(test_${target} PRIVATE ${PLUMB_ZLIB_LIBRARY})
   endif()
+  if(source MATCHES "tool/clash_cli_test")  # reads what is written by another reader than ours
+    target_link_libraries(test_${target} PRIVATE ${PLUMB_PUGIXML_LIBRARY})
+  endif()
   if(object)
     set(level)
   endif()
