@@ -1,8 +1,6 @@
 #include "plumb/world/clashes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 
@@ -10,26 +8,23 @@
 #include "space/bvh/parts.hpp"
 #include "world/clash_found.hpp"
 #include "world/clash_instances.hpp"
+#include "world/grown_box.hpp"
 
 namespace plumb {
 namespace {
 
 using world::FoundClash, world::PlacedPair, world::PlacedShape;
 
-/// Of all its vertices, grown on all sides and rounded outward; nothing of a mesh without triangles.
+/// The box of all its vertices, grown on all sides; a mesh without triangles has none.
 std::optional<Aabb3> grown_box(const TriangleMesh& mesh, double by) {
   if (mesh.triangles.empty() || mesh.vertices.empty()) return {};
-  constexpr double most = std::numeric_limits<double>::max();
   Aabb3 box{mesh.vertices[0], mesh.vertices[0]};
   for (const Point3& p : mesh.vertices) {
     box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
   }
   if (by == 0) return box;
-  const auto less = [&](double x) { return std::max(-most, std::nextafter(x - by, -most)); };
-  const auto more = [&](double x) { return std::min(most, std::nextafter(x + by, most)); };
-  return Aabb3{{less(box.min.x), less(box.min.y), less(box.min.z)},
-               {more(box.max.x), more(box.max.y), more(box.max.z)}};
+  return world::grown(box, by);
 }
 
 Clash turned_round(Clash clash) {

@@ -12,7 +12,7 @@ namespace {
 
 using world::about_body, world::WorldBody;
 
-/// Of the bodies of a world.
+/// Asks bodies of a world how far they are from a figure.
 class DistanceQuestion {
  public:
   DistanceQuestion(const std::vector<std::optional<WorldBody>>& bodies, const AnyFigure& figure)

@@ -1,14 +1,14 @@
 #include "world/part_contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+
+#include "world/grown_box.hpp"
 
 namespace plumb::world {
 namespace {
 
 bool may_have_contact(const AnyFigure& figure) { return query::is_body_kind(figure.kind()); }
-/// Of which contact() refuses what is not convex.
+/// contact() refuses such of these as are not convex.
 bool is_polygonal(const AnyFigure& figure) {
   return query::is_one_of(figure.kind(), {FigureKind::polygon, FigureKind::quadrilateral});
 }
@@ -21,13 +21,6 @@ std::optional<ContactManifold> contact_of_figures(const AnyFigure& a, const AnyF
   } catch (const InvalidShape&) {  // it is sound, as it is in a world, but not convex
     return {};
   }
-}
-
-Aabb3 around(const Aabb3& b, double margin) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto low = [&](double x) { return std::nextafter(x - margin, -infinity); };
-  const auto high = [&](double x) { return std::nextafter(x + margin, infinity); };
-  return {{low(b.min.x), low(b.min.y), low(b.min.z)}, {high(b.max.x), high(b.max.y), high(b.max.z)}};
 }
 
 /// Each figure of a part that is near to a box: itself, or its triangles there.
@@ -52,9 +45,9 @@ void add_contacts(const WorldPair& pair, const WorldBody& a, const WorldBody& b,
   const auto first = static_cast<std::ptrdiff_t>(to.size());
   for (std::uint32_t i = 0; i < a.placed.size(); ++i) {
     for (std::uint32_t j = 0; j < b.placed.size(); ++j) {
-      const Aabb3 near_b = around(box_of(b.placed[j]), margin);
+      const Aabb3 near_b = grown(box_of(b.placed[j]), margin);
       for_figures(a.placed[i], near_b, [&](const AnyFigure& p, std::uint32_t of_a) {
-        for_figures(b.placed[j], around(box_of(p), margin), [&](const AnyFigure& q, std::uint32_t of_b) {
+        for_figures(b.placed[j], grown(box_of(p), margin), [&](const AnyFigure& q, std::uint32_t of_b) {
           tell({i, of_a}, {j, of_b}, contact_of_figures(p, q, margin));
         });
       });

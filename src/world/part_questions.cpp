@@ -8,6 +8,7 @@
 
 #include "plumb/query/body/hit_pairs.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
+#include "world/grown_box.hpp"
 
 namespace plumb::world {
 namespace {
@@ -27,13 +28,6 @@ bool is_asked_by_rays(const AnyFigure& figure) {
 AnyFigure figure_at(const Placed& part, std::uint32_t triangle) {
   if (const auto* figure = std::get_if<AnyFigure>(&part)) return *figure;
   return std::get<PlacedMesh>(part).triangle(triangle);
-}
-
-Aabb3 widened(const Aabb3& b, double by) {
-  constexpr double most = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
-  const auto low = [&](double x) { return std::max(std::nextafter(x - by, -infinity), -most); };
-  const auto high = [&](double x) { return std::min(std::nextafter(x + by, infinity), most); };
-  return {{low(b.min.x), low(b.min.y), low(b.min.z)}, {high(b.max.x), high(b.max.y), high(b.max.z)}};
 }
 
 /// The figures of a part that may come to a box, with their numbers.
@@ -83,7 +77,7 @@ PartDistance distance_to(const Placed& part, const AnyFigure& figure) {
   // No triangle that is nearer lies wholly out of that reach.
   const double reach = std::nextafter(distance(mesh.triangle(some), figure), std::numeric_limits<double>::infinity());
   std::optional<PartDistance> best;
-  for (const std::uint32_t t : mesh.near(widened(box_of_figure(figure), reach))) {
+  for (const std::uint32_t t : mesh.near(grown(box_of_figure(figure), reach))) {
     const double d = distance(mesh.triangle(t), figure);
     const auto is_nearer = [&] {
       return compare(exact_distance_to(part, t, figure), exact_distance_to(part, best->triangle, figure)) ==

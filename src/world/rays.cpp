@@ -16,7 +16,7 @@ using world::about_body, world::Placed, world::WorldBody;
 
 constexpr double beyond_all = std::numeric_limits<double>::infinity();
 
-/// Of the bodies of a world.
+/// Asks bodies of a world where a ray hits them.
 class RayQuestion {
  public:
   RayQuestion(const std::vector<std::optional<WorldBody>>& bodies, const AnyRay& ray) : bodies_(bodies), ray_(ray) {}

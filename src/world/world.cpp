@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "world/grown_box.hpp"
 #include "world/state.hpp"
 
 namespace plumb {
@@ -22,11 +23,7 @@ void require_options(const char* function, const BodyOptions& options) {
 /// however their sum is rounded.
 Aabb3 enlarged(const Aabb3& b, double margin) {
   if (margin == 0) return b;
-  constexpr double infinity = std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::max();
-  const double by = std::nextafter(margin, infinity);
-  const auto low = [&](double x) { return std::max(std::nextafter(x - by, -infinity), -most); };
-  const auto high = [&](double x) { return std::min(std::nextafter(x + by, infinity), most); };
-  return {{low(b.min.x), low(b.min.y), low(b.min.z)}, {high(b.max.x), high(b.max.y), high(b.max.z)}};
+  return world::grown(b, std::nextafter(margin, std::numeric_limits<double>::infinity()));
 }
 
 /// The parts where they stand, and the box of all.

@@ -31,7 +31,7 @@ class SharedMesh {
   explicit SharedMesh(Bvh bvh);
 
   [[nodiscard]] const Bvh& bvh() const;
-  /// By its number in the mesh.
+  /// The number is that in the mesh.
   [[nodiscard]] Triangle3 triangle(std::uint32_t number) const;
   /// Around all of it.
   [[nodiscard]] const Aabb3& box() const;

@@ -62,7 +62,7 @@ class ClashPart {
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   [[nodiscard]] const Bvh& bvh() const { return bvh_; }
   [[nodiscard]] bool empty() const { return mesh_.triangles.empty(); }
-  /// Of its triangles; of the origin where there are none.
+  /// It holds the triangles, or the origin where there are none.
   [[nodiscard]] const Aabb3& box() const { return box_; }
   /// Is it a solid?
   [[nodiscard]] bool is_solid() const { return solid_; }

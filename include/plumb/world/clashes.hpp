@@ -54,7 +54,7 @@ struct ClashesOptions {
 
 Clashes find_clashes(std::span<const TriangleMesh> parts, std::span<const AskedPair> pairs,
                      const ClashesOptions& options = {});
-/// Of all pairs in reach of the clearance.
+/// All pairs in reach of the clearance are asked.
 Clashes find_clashes(std::span<const TriangleMesh> parts, const ClashesOptions& options = {});
 
 }  // namespace plumb

@@ -165,7 +165,7 @@ class CollisionWorld {
 
   [[nodiscard]] bool contains(const BodyHandle& body) const;
   [[nodiscard]] std::size_t size() const;
-  /// Where it stands; of a mesh or compound figure() throws Unsupported.
+  /// The body where it stands; figure() throws Unsupported where it is a mesh or a compound.
   [[nodiscard]] AnyBody body(const BodyHandle& body) const;
   [[nodiscard]] const AnyFigure& figure(const BodyHandle& body) const;
   [[nodiscard]] const BodyOptions& options(const BodyHandle& body) const;
@@ -187,20 +187,20 @@ class CollisionWorld {
   const WorldEvents& commit();
   /// All that meet, as of the last commit.
   [[nodiscard]] const std::vector<WorldPair>& pairs() const;
-  /// As of the last commit, by pair and then by part; of two parts that contact() has no answer for there is none.  A
-  /// world that keeps no contacts throws Unsupported.
+  /// They are those of the last commit, by pair and then by part; two parts that contact() has no answer for have none.
+  /// A world that keeps no contacts throws Unsupported.
   [[nodiscard]] const std::vector<WorldContact>& contacts() const;
   [[nodiscard]] const WorldContactEvents& contact_events() const;
 
-  // Of the bodies as they stand now, whose group has a bit of the mask.
+  // These ask the bodies as they stand now, whose group has a bit of the mask.
   /// Those that have a point in the figure.
   [[nodiscard]] std::vector<BodyHandle> overlaps(const AnyFigure& figure, std::uint32_t mask = every_group) const;
 
-  /// Of a ray, a segment or a line: of the least parameter, exactly, of equal ones the body that comes first by user id.
+  /// The hit of the least parameter, exactly, along a ray, a segment or a line; equal ones are ordered by user id.
   /// Points and segments, which first_hit is not asked about, are never hit.
   [[nodiscard]] std::optional<WorldHit> first_hit(const AnyRay& ray, std::uint32_t mask = every_group) const;
   [[nodiscard]] bool any_hit(const AnyRay& ray, std::uint32_t mask = every_group) const;
-  /// Of each body that is hit the first one, in the order of the ray.
+  /// Each body that is hit has its first one told, in the order of the ray.
   [[nodiscard]] std::vector<WorldHit> hits(const AnyRay& ray, std::uint32_t mask = every_group) const;
   /// Each ray is answered as if alone; spans of different lengths throw UnequalLengths.
   void first_hit(std::span<const AnyRay> rays, std::span<std::optional<WorldHit>> out,
@@ -217,7 +217,7 @@ class CollisionWorld {
   /// equal ones by user id.
   [[nodiscard]] std::optional<WorldCast> first_contact(const AnyFigure& figure, const Vector3& by,
                                                        std::uint32_t mask = every_group) const;
-  /// Of each body that it comes to, in the same order.
+  /// Each body that it comes to is told, in the same order.
   [[nodiscard]] std::vector<WorldCast> contacts_along(const AnyFigure& figure, const Vector3& by,
                                                       std::uint32_t mask = every_group) const;
 

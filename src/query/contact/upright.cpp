@@ -61,7 +61,7 @@ class UprightPair {
   [[nodiscard]] std::strong_ordering gap(std::size_t k, bool is_a_below) const {
     return is_a_below ? b_.low[k].against(a_.high[k]) : a_.low[k].against(b_.high[k]);
   }
-  /// Of six ways to leave, the one that is shorter than any other, for certain.
+  /// Six ways lead out; it is the one that is shorter than any other, for certain.
   [[nodiscard]] std::optional<FacingAxis> least_overlap() const {
     const auto running = [](double x) { return Running(x); };
     std::array<Running, 6> overlap;
@@ -91,7 +91,7 @@ CommonEnd common_end(const FacePlace& a, const FacePlace& b, bool is_high) {
   return {is_of_a ? &a : &b, {is_of_a, order == 0 || !is_of_a}, is_high};
 }
 
-/// By the axes along which it is at an end, and at which one; as query/penetration/penetration.hpp numbers them.
+/// The axes along which it is at an end tell it, and at which one; query/penetration/penetration.hpp says the numbers.
 Feature feature_at(const std::array<bool, 3>& is_at_end, const std::array<bool, 3>& is_high) {
   std::uint32_t free = 0, ends = 0, upper = 0, vertex = 0, face = 0;
   for (std::uint32_t k = 0; k < 3; ++k) {

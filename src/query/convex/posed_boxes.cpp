@@ -92,7 +92,7 @@ struct OwnGap {
   }
 };
 
-/// As space sees them.
+/// Space sees them so.
 template <class T>
 TwoBoxes<T> as_space_sees(const std::array<NamedBox, 2>& box, const std::array<AnyPoseView, 2>& by) {
   const std::array pose{weighted_pose<T>(by[0]), weighted_pose<T>(by[1])};
@@ -108,7 +108,7 @@ TwoBoxes<T> as_space_sees(const std::array<NamedBox, 2>& box, const std::array<A
     if (!pose[i].stands) m = sparse_sum(m, sparse_sum(pose[i].translation, pose[i].translation));
     m = {with_other_weight(m.x), with_other_weight(m.y), with_other_weight(m.z)};
     for (std::size_t k = 0; k < 3; ++k) {
-      // Of axes of space the image is a column.
+      // The image of an axis of space is a column.
       two.axes[i][k] = pose[i].stands      ? arith::vec<T>(box[i].axes[k])
                        : box[i].is_upright ? pose[i].columns[k]
                                            : turned_under(pose[i], arith::vec<T>(box[i].axes[k]));

@@ -47,7 +47,7 @@ class Words {
   std::string text_;
 };
 
-/// Of an intersection with corners: what it is, and these, rounded once.
+/// An intersection with corners is told by what it is, and by these, rounded once.
 template <class Common>
 void tell_common(const Common& common, Words& words) {
   constexpr std::array<std::string_view, 7> kinds{"nothing", "point", "segment", "ray", "line", "polygon", "solid"};

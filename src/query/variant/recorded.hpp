@@ -25,7 +25,7 @@ class QuestionRing {
   QuestionRing& operator=(const QuestionRing&) = delete;
   ~QuestionRing();
 
-  /// Where a line stands, by its number.
+  /// The number of the line.
   std::uint64_t ask(std::string_view question);
   void answer(std::uint64_t line, std::string_view question, std::string_view answer);
 

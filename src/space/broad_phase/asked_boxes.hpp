@@ -49,7 +49,7 @@ class AskedBoxes {
 
   /// Slots, ascending.
   [[nodiscard]] std::vector<std::uint32_t> in_box(const SlotBoxes& all, const Aabb3& box, bool touching) const;
-  /// Of the least parameter, exactly, and of equal ones the lowest slot.
+  /// It has the least parameter, exactly, and of equal ones the lowest slot.
   [[nodiscard]] std::optional<SlotHit> first_hit(const SlotBoxes& all, const AnyRay& ray) const;
   /// show(slot) of each box that may be hit, at a parameter no larger than what it returned last; as a rule the nearer
   /// first.

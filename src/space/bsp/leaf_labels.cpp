@@ -96,17 +96,18 @@ RationalPlace rational_in_leaf(const BspTree& tree, std::uint32_t leaf, const st
     normal[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
     if (!front) normal[k] = -normal[k];
   }
-  // A leaf without a double is some ulps thick: the first step, a guess, is shorter than that of its size.
-  for (Rational& x : normal) x = x * Rational(0x1p-80);
+  // A leaf without a double is some ulps thick.  Both steps are guesses; the descent proves the place.
+  const Rational guessed_first_step(0x1p-80), guessed_shortening(0x1p-40);
+  for (Rational& x : normal) x = x * guessed_first_step;
   for (;;) {
     RationalPlace p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = center[k] + normal[k];
     if (leaf_around(tree, KeptPlace(p)) == leaf) return p;
-    for (Rational& x : normal) x = x * Rational(0x1p-40);  // a guess, too; the descent proves the place
+    for (Rational& x : normal) x = x * guessed_shortening;
   }
 }
 
-/// By the crossings of a ray along x, of which an edge counts where one end is beyond the other is not.
+/// Counts the triangles that a ray along x crosses; it crosses an edge of which one end alone is beyond it.
 bool is_inside(const TriangleMesh& mesh, const Bvh& bvh, const RationalPlace& p) {
   const double most = std::numeric_limits<double>::max();
   const Aabb3 ray{{p[0].rounded(Rounding::down), p[1].rounded(Rounding::down), p[2].rounded(Rounding::down)},

@@ -107,7 +107,7 @@ class FaceJoiner {
     Grown grown{{seed}, {}, -1};
     const auto [a, b, c] = points_of(seed);
     Sign turn = Sign::zero;
-    polygon_[seed] = static_cast<std::uint32_t>(grown_.size());
+    polygon_[seed] = polygons_++;
     for (std::size_t i = 0; i < grown.triangles.size(); ++i) {
       for (std::uint32_t h = 3 * grown.triangles[i]; h < 3 * grown.triangles[i] + 3; ++h) {
         const std::uint32_t beyond = twin_[h];
@@ -128,7 +128,6 @@ class FaceJoiner {
       }
     }
     if (grown.triangles.size() == 1) {
-      polygon_[seed] = none - 1;
       alone_.push_back(seed);
       beside_.add(all_.mesh.triangles[seed]);
       return;
@@ -192,7 +191,8 @@ class FaceJoiner {
 
   const FacePool& pool_;
   SeparateFaces all_;
-  Numbers twin_, polygon_;  // of half-edges, of triangles
+  Numbers twin_, polygon_;      // of half-edges, of triangles
+  std::uint32_t polygons_ = 0;  // also those that are one triangle
   RegionRings rings_;
   RingNeighbors beside_;
   std::vector<bool> stays_;  // of vertices

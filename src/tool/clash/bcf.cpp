@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "plumb/arith/error.hpp"
+#include "tool/terminal/utf8.hpp"
 
 namespace plumb::tool {
 namespace {
@@ -18,10 +19,10 @@ std::string little_endian(std::uint64_t number, int bytes) {
   return text;
 }
 
-/// As text of an element; what XML cannot hold is a question mark.
+/// The text as that of an element; control characters, which XML cannot hold, are question marks.
 std::string in_xml(const std::string& text) {
   std::string made;
-  for (const char c : text) {
+  for (const char c : in_utf8(text)) {
     if (c == '&')
       made += "&amp;";
     else if (c == '<')

@@ -19,7 +19,7 @@ namespace plumb::tool {
 namespace {
 
 /// A figure that no number makes is recorded together with what refused it, and cannot be read back.
-bool is_refused_alike(std::string_view line, const NonFinite&) {
+bool was_refused(std::string_view line) {
   const std::size_t answer = line.find('=');
   return answer != line.npos && line.substr(answer).find("refused: ") != line.npos;
 }
@@ -30,6 +30,7 @@ std::string question_alone(QuestionLine line) {
 }
 
 void prove(const QuestionLine& asked, const ReplayedLine& told, ReplayReport& report) {
+  if (told.is.starts_with("refused: ")) return;
   const std::optional<std::string> proved = proved_answer(asked);
   if (!proved) return;
   ++report.proved;
@@ -68,7 +69,7 @@ std::string replay_file(const std::string& file, bool with_proof, ReplayReport& 
         answered += line + "\n";
       }
     } catch (const NonFinite& e) {
-      if (is_refused_alike(line, e)) {
+      if (was_refused(line)) {
         ++report.asked, ++report.alike;
         answered += line + "\n";
       } else {
@@ -101,7 +102,9 @@ std::optional<std::string> proved_answer(const QuestionLine& line) {
       if (!verify(proof, a, b)) return "nothing: the proof has a flaw";
       return query::answer_text(proof.distance);
     }
-  } catch (const Error&) {  // of figures that are no convex bodies, or no figures
+  } catch (const Unsupported&) {  // a figure is no convex body
+  } catch (const Error& e) {      // what was answered can be proved
+    return std::string("nothing: ") + e.what();
   }
   return {};
 }

@@ -51,7 +51,8 @@ std::string replay_text(const ReplayReport& report, const Style& style);
 /// Leaves out what a report begins with.
 nlohmann::json replay_json(const ReplayReport& report);
 
-/// What a verified proof says of the question, in the words of its answer; none where it is of no two convex figures.
+/// What a verified proof says of the question, in the words of its answer; none where it is of no two convex figures.  The question has
+/// an answer.
 std::optional<std::string> proved_answer(const QuestionLine& line);
 
 }  // namespace plumb::tool

@@ -32,12 +32,12 @@ struct BspOptions {
   double split_weight = 0.5;
   /// Faces whose planes are looked at for a node.
   std::size_t candidates = 8;
-  /// Of leaf-storing trees: at most so many pieces are left together, where planes of theirs are left to part them.
+  /// A leaf-storing tree leaves at most so many pieces together, where planes of theirs are left to part them.
   std::size_t leaf_size = 4;
 };
 
 BspTree build_bsp(const TriangleMesh& mesh, const BspOptions& options = {});
-/// Of convex polygons.
+/// The polygons are convex.
 BspTree build_bsp(const PolygonMesh& mesh, const BspOptions& options = {});
 
 }  // namespace plumb

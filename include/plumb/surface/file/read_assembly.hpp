@@ -36,7 +36,7 @@ struct AssemblyParts {
 
 /// Throws MeshFileError.
 AssemblyParts read_assembly(const std::string& path, LoadReport* report = nullptr, const ReadOptions& options = {});
-/// Of the bytes of a file of that name.
+/// The bytes are those of a file of that name.
 AssemblyParts parse_assembly(std::string_view bytes, const std::string& name, LoadReport* report = nullptr,
                              const ReadOptions& options = {});
 
