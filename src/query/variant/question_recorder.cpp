@@ -38,12 +38,12 @@ namespace {
 constexpr std::string_view opening = "# questions and answers of plumb, in a ring\n";
 constexpr std::string_view numbered = "  # ";
 
-[[noreturn]] void refuse_file(const std::filesystem::path& file, int error) {
-  throw Error(file.string() + ": cannot be made a ring of questions: " + std::strerror(error));
+[[noreturn]] void refuse_file(const std::string& file, int error) {
+  throw Error(file + ": cannot be made a ring of questions: " + std::strerror(error));
 }
 
 /// Memory that other processes see as the file, also after this one is gone.
-char* mapped(const std::filesystem::path& file, std::size_t bytes) {
+char* mapped(const std::string& file, std::size_t bytes) {
   const int made = ::open(file.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
   if (made == -1) refuse_file(file, errno);
   int error = ::posix_fallocate(made, 0, static_cast<off_t>(bytes));
@@ -136,7 +136,7 @@ class QuestionRing::Bytes {
 };
 
 QuestionRing::QuestionRing(std::size_t bytes) : bytes_(std::make_unique<Bytes>(new char[bytes](), bytes, false)) {}
-QuestionRing::QuestionRing(const std::filesystem::path& file, std::size_t bytes)
+QuestionRing::QuestionRing(const std::string& file, std::size_t bytes)
     : bytes_(std::make_unique<Bytes>(mapped(file, bytes), bytes, true)) {}
 QuestionRing::~QuestionRing() = default;
 
@@ -206,7 +206,7 @@ QuestionRecorder::QuestionRecorder(std::size_t bytes)
     : ring_(std::make_unique<query::QuestionRing>(query::require_room(bytes))) {
   query::begin_to_record(*ring_);
 }
-QuestionRecorder::QuestionRecorder(const std::filesystem::path& file, std::size_t bytes)
+QuestionRecorder::QuestionRecorder(const std::string& file, std::size_t bytes)
     : ring_(std::make_unique<query::QuestionRing>(file, query::require_room(bytes))) {
   query::begin_to_record(*ring_);
 }

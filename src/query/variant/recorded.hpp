@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 #include "plumb/query/variant/question_recorder.hpp"
@@ -20,7 +21,7 @@ namespace plumb::query {
 class QuestionRing {
  public:
   explicit QuestionRing(std::size_t bytes);
-  QuestionRing(const std::filesystem::path& file, std::size_t bytes);
+  QuestionRing(const std::string& file, std::size_t bytes);
   QuestionRing(const QuestionRing&) = delete;
   QuestionRing& operator=(const QuestionRing&) = delete;
   ~QuestionRing();

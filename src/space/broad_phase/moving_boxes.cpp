@@ -224,14 +224,13 @@ std::optional<HandleHit> MovingBoxes::first_hit(const AnyRay& ray) const {
   return HandleHit{s.handle(hit->slot), hit->hit};
 }
 
-void MovingBoxes::visit_along(const AnyRay& ray, const std::function<double(const BoxHandle&)>& most) const {
+void MovingBoxes::visit_along(const AnyRay& ray, const AskEachBox& most) const {
   const State& s = *state_;
   if (!query::is_sound(ray)) query::require_ray("MovingBoxes::visit_along", ray);
   s.asked.along({s.boxes, s.alive}, ray, [&](std::uint32_t slot) { return most(s.handle(slot)); });
 }
 
-void MovingBoxes::visit_near(const Aabb3& box, double within,
-                             const std::function<double(const BoxHandle&)>& most) const {
+void MovingBoxes::visit_near(const Aabb3& box, double within, const AskEachBox& most) const {
   const State& s = *state_;
   figure::require_finite_parts<Point3, Point3>("MovingBoxes::visit_near", {"box.min", "box.max"}, box.min, box.max);
   if (!(within >= 0)) return;

@@ -20,7 +20,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,7 +36,7 @@ class QuestionRing;
 class QuestionRecorder {
  public:
   explicit QuestionRecorder(std::size_t bytes);
-  QuestionRecorder(const std::filesystem::path& file, std::size_t bytes);
+  QuestionRecorder(const std::string& file, std::size_t bytes);
   QuestionRecorder(const QuestionRecorder&) = delete;
   QuestionRecorder& operator=(const QuestionRecorder&) = delete;
   ~QuestionRecorder();

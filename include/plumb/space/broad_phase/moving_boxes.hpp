@@ -30,11 +30,12 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "plumb/query/ray/ray.hpp"
@@ -80,6 +81,23 @@ struct HandleHit {
   friend bool operator==(const HandleHit&, const HandleHit&) = default;
 };
 
+/// What visit_along and visit_near ask of each box, for the length of the call: any function of a handle that returns a
+/// double.
+class AskEachBox {
+ public:
+  template <class F>
+  requires(!std::same_as<F, AskEachBox> && std::is_invocable_r_v<double, const F&, const BoxHandle&>)
+      AskEachBox(const F& most)  // NOLINT: a lambda is one
+      : called_(&most), call_([](const void* called, const BoxHandle& box) -> double {
+          return (*static_cast<const F*>(called))(box);
+        }) {}
+  double operator()(const BoxHandle& box) const { return call_(called_, box); }
+
+ private:
+  const void* called_;
+  double (*call_)(const void* called, const BoxHandle& box);
+};
+
 class MovingBoxes {
  public:
   explicit MovingBoxes(const MovingBoxesOptions& options = {});
@@ -111,10 +129,10 @@ class MovingBoxes {
   // For questions about what the boxes hold.
   /// most(handle) of each box that a ray, a segment or a line may hit, at a parameter not above the least that it has
   /// returned so far; it returns infinity to see all.
-  void visit_along(const AnyRay& ray, const std::function<double(const BoxHandle&)>& most) const;
+  void visit_along(const AnyRay& ray, const AskEachBox& most) const;
   /// most(handle) of each box that may come as near to another as the least distance that it has returned so far, and as
   /// `within`; what rounds to that counts.
-  void visit_near(const Aabb3& box, double within, const std::function<double(const BoxHandle&)>& most) const;
+  void visit_near(const Aabb3& box, double within, const AskEachBox& most) const;
 
  private:
   struct State;
