@@ -182,6 +182,16 @@ void add_answers(World& world) {
           "pairs", pairs,
           "pairs(self)\n--\n\nAll that meet, as of the last commit.\n\nReturns\n-------\npairs : uint64, shape (n, 2), "
           "handles\noverlapping : bool, shape (n,), False where a pair only touches")
+      .def(
+          "check",
+          [](const CollisionWorld& self, std::size_t samples) {
+            py::list told;
+            for (const std::string& sentence : self.check(samples)) told.append(sentence);
+            return told;
+          },
+          py::arg("samples") = 256,
+          "check(self, samples=256)\n--\n\nWhat must hold and does not: a list of sentences, empty where all holds. "
+          "So many bodies are\nheld against all others by asking again.")
       .def("contacts", contacts,
            "contacts(self)\n--\n\nWhere parts touch, as of the last commit, of a world made with contacts=True: a list "
            "of WorldContact.")

@@ -54,6 +54,7 @@ def test_frames_are_those_of_each_pair(seed):
             expected = plumb.contact(bodies[c.a], bodies[c.b])
             assert c.contact.distance == expected.distance and len(c.contact.corners) == len(expected.corners)
         assert len(world.contacts()) == len(now)
+        assert world.check() == [] and world.check(samples=3) == []
         before = now
         met += len(now)
     assert met > 30

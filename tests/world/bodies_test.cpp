@@ -153,6 +153,7 @@ TEST(WorldBodies, ReplayAsAskingEachTwoFigures) {
       }
       world.commit();
       expect_answers(world, all, before);
+      EXPECT_EQ(world.check(), std::vector<std::string>());
       if (::testing::Test::HasFailure()) return;
       pairs += world.pairs().size(), contacts += world.contacts().size();
       begun += world.contact_events().begun.size(), ended += world.contact_events().ended.size();

@@ -162,6 +162,9 @@ TEST(CollisionWorld, ReplaysAsAskingEachPair) {
       EXPECT_EQ(as_meetings(world.pairs()), now);
       EXPECT_EQ(world.size(), all.bodies.size());
       expect_overlaps(world, all, drawn_world::figure(e));
+      if (frame % 5 == 0) {
+        EXPECT_EQ(world.check(), std::vector<std::string>());
+      }
       for (const BodyHandle& handle : stale) EXPECT_THROW(static_cast<void>(world.figure(handle)), StaleHandle);
       if (::testing::Test::HasFailure()) return;
       before = now;

@@ -30,6 +30,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -226,11 +227,17 @@ class CollisionWorld {
   /// pairs.  The bodies stay where they are.  A body that is named twice throws InvalidShape.
   [[nodiscard]] std::vector<WorldImpact> first_contacts(std::span<const BodyMotion> motions) const;
 
+  /// What must hold and does not, a sentence each; nothing where all holds.  For debug builds and reports: slots, handles
+  /// and the order of what is told are looked at for all bodies; so many of them, evenly taken, are held against all
+  /// others by asking again, whether boxes hold them, which are near, how pairs lie and where they touch.
+  [[nodiscard]] std::vector<std::string> check(std::size_t samples = 256) const;
+
  private:
   using AskFilter = bool (*)(void* filter, const BodyHandle& a, const BodyHandle& b);
   void keep_filter(std::shared_ptr<void> filter, AskFilter ask);
 
   struct State;
+  class Inspection;
   std::unique_ptr<State> state_;
 };
 
