@@ -135,13 +135,26 @@ class ConstraintBuilder {
     chain.rim.push_back({e, beyond, triangles_.mark(e), triangles_.mark(beyond), none});
   }
 
+  void take_out(HalfEdge e) {
+    triangles_.set_place(e, static_cast<std::uint32_t>(hole_.size()));
+    hole_.push_back(Triangles::first_of(e));
+  }
+
+  // The number of a half-edge among those of the triangles that were taken out; `none` for another.
+  std::size_t in_hole(HalfEdge e) const {
+    const std::size_t place = triangles_.place(e);
+    if (place >= hole_.size() || hole_[place] != Triangles::first_of(e)) return none;
+    return 4 * place + (e & 3);
+  }
+
   // Walks from a over e to the first vertex on the segment; returns the constraint that is in the way, if any.
   std::optional<std::uint32_t> cross(Vertex a, Vertex b, HalfEdge e) {
     left_.corners.assign(1, a);
     right_.corners.assign(1, a);
     left_.rim.clear();
     right_.rim.clear();
-    hole_.assign(1, Triangles::first_of(e));
+    hole_.clear();
+    take_out(e);
     crossed_.clear();
     extend(right_, triangles_.origin(e), Triangles::previous(e));
     extend(left_, triangles_.target(e), Triangles::next(e));
@@ -149,7 +162,7 @@ class ConstraintBuilder {
       if (triangles_.is_constrained(e)) return triangles_.mark(e).constraint;
       crossed_.push_back({triangles_.origin(e), triangles_.target(e)});
       const HalfEdge g = triangles_.twin(e);
-      hole_.push_back(Triangles::first_of(g));
+      take_out(g);
       const Vertex w = triangles_.apex(g);
       const HalfEdge to_right = Triangles::next(g), to_left = Triangles::previous(g);
       const Sign side = w == b ? Sign::zero : points_.orient(a, b, w);
@@ -176,31 +189,31 @@ class ConstraintBuilder {
     leaving_[a] = along;
     leaving_[end] = back;
     // An edge may have the hole on both sides.
-    if (renamed_.empty()) renamed_.assign(triangles_.end(), none);
+    renamed_.resize(std::max(renamed_.size(), 4 * hole_.size()));
     for (const Chain* chain : {&left_, &right_})
-      for (const Rim& r : chain->rim) renamed_[r.old] = r.now;
+      for (const Rim& r : chain->rim) renamed_[in_hole(r.old)] = r.now;
     for (const Chain* chain : {&left_, &right_}) {
       for (const Rim& r : chain->rim) {
-        const HalfEdge beyond = renamed_[r.beyond] == none ? r.beyond : renamed_[r.beyond];
+        const std::size_t inside = in_hole(r.beyond);
+        const HalfEdge beyond = inside == none ? r.beyond : renamed_[inside];
         triangles_.join(r.now, beyond);
         triangles_.set_mark(r.now, r.mark);
         triangles_.set_mark(beyond, r.mark_beyond);
       }
     }
-    for (const Chain* chain : {&left_, &right_})
-      for (const Rim& r : chain->rim) renamed_[r.old] = none;
     return along;
   }
+
+  struct Kept {
+    Vertex corner;
+    bool is_rim;
+    std::uint32_t edge;  // between the corner before and this one: its place in the rim, or the half-edge over it
+  };
 
   // Cuts what is between a chain and the segment: wherever the chain bulges, a triangle goes off.  The half-edge of the
   // segment is given.  `bulge` is the turn of three corners between which a triangle fits.
   HalfEdge scan(Chain& chain, Sign bulge) {
-    struct Kept {
-      Vertex corner;
-      bool is_rim;
-      std::uint32_t edge;  // between the corner before and this one: its place in the rim, or the half-edge over it
-    };
-    std::vector<Kept> kept{{chain.corners[0], true, 0}};
+    kept_.assign(1, {chain.corners[0], true, 0});
     const auto close = [&](HalfEdge e, const Kept& by) {
       if (by.is_rim) {
         chain.rim[by.edge].now = e;
@@ -214,9 +227,9 @@ class ConstraintBuilder {
     };
     for (std::uint32_t k = 1; k < chain.corners.size(); ++k) {
       Kept now{chain.corners[k], true, k - 1};
-      while (kept.size() > 1) {
-        const Kept tip = kept.back();
-        const Vertex before = kept[kept.size() - 2].corner;
+      while (kept_.size() > 1) {
+        const Kept tip = kept_.back();
+        const Vertex before = kept_[kept_.size() - 2].corner;
         if (points_.orient(before, tip.corner, now.corner) != bulge) break;
         const HalfEdge e = hole_[next_place_++];
         if (bulge == Sign::negative) {
@@ -232,11 +245,11 @@ class ConstraintBuilder {
         }
         for (HalfEdge h = e; h < e + 3; ++h) leaving_[triangles_.origin(h)] = h;
         now.is_rim = false;
-        kept.pop_back();
+        kept_.pop_back();
       }
-      kept.push_back(now);
+      kept_.push_back(now);
     }
-    return kept.back().edge;
+    return kept_.back().edge;
   }
 
   void settle() {
@@ -265,7 +278,9 @@ class ConstraintBuilder {
   std::vector<HalfEdge> hole_;  // triangles that are taken out
   std::vector<std::array<Vertex, 2>> crossed_;
   std::size_t next_place_ = 0;  // in the hole
-  std::vector<HalfEdge> pending_, renamed_;
+  std::vector<Kept> kept_;
+  std::vector<HalfEdge> pending_;
+  std::vector<HalfEdge> renamed_;  // by in_hole
 };
 
 }  // namespace plumb::surface

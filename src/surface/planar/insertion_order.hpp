@@ -1,10 +1,10 @@
 // In which order are points inserted, so that each is near the one before it?  A guess: it decides nothing.
 //
 // Laws: a permutation of the points, the same for the same points everywhere.  The points are drawn into rounds, each
-// some eight times as large as all before it, and stand within a round along a Hilbert curve whose squares are halved
-// at medians: so clusters within clusters are as good as points spread evenly.
+// some eight times as large as all before it, and stand within a round along a Hilbert curve, of which the squares that
+// many points share are halved at medians: so clusters within clusters are as good as points spread evenly.
 // Source: Amenta, Choi and Rote 2003 (rounds make any input as good as a random one); Skilling 2004 (the curve).
-// Cost: n log n comparisons of doubles.
+// Cost: linear where points are spread; n log n comparisons of doubles at most.
 #pragma once
 
 #include <cstdint>

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,7 +36,7 @@ class Triangles {
 
   void clear() {
     all_.clear();
-    marks_.clear();
+    marks_.reset();
   }
   void reserve(std::size_t triangles) { all_.reserve(triangles); }
 
@@ -81,9 +82,13 @@ class Triangles {
     }
   }
 
+  /// A number for the triangle, 0 at first.
+  [[nodiscard]] std::uint32_t place(HalfEdge e) const { return all_[e >> 2].place; }
+  void set_place(HalfEdge e, std::uint32_t place) { all_[e >> 2].place = place; }
+
   /// From here on edges have marks; no triangle is added any more.
-  void mark_edges() { marks_.assign(end(), {}); }
-  [[nodiscard]] bool has_marks() const { return !marks_.empty(); }
+  void mark_edges() { marks_ = std::make_unique_for_overwrite<EdgeMark[]>(end()); }
+  [[nodiscard]] bool has_marks() const { return marks_ != nullptr; }
   [[nodiscard]] bool is_constrained(HalfEdge e) const { return (all_[e >> 2].constrained >> (e & 3) & 1) != 0; }
   [[nodiscard]] EdgeMark mark(HalfEdge e) const { return is_constrained(e) ? marks_[e] : EdgeMark{}; }
   void set_mark(HalfEdge e, const EdgeMark& to) {
@@ -99,10 +104,10 @@ class Triangles {
     std::array<Vertex, 3> origin;
     std::uint32_t constrained;  // bit k is that of half-edge k; only then it has a mark
     std::array<HalfEdge, 3> twin;
-    std::uint32_t unused;
+    std::uint32_t place;
   };
   std::vector<Triangle> all_;
-  std::vector<EdgeMark> marks_;
+  std::unique_ptr<EdgeMark[]> marks_;  // written before they are read: one for each half-edge that is constrained
 };
 
 }  // namespace plumb::surface
