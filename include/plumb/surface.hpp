@@ -26,6 +26,7 @@
 #include "plumb/surface/section/section.hpp"             // contours of one plane or many
 #include "plumb/surface/solid/arrangement.hpp"           // facets and cells of closed meshes, with their windings
 #include "plumb/surface/solid/boolean.hpp"               // union, intersection, difference, exactly
+#include "plumb/surface/solid/evaluate.hpp"              // CSG trees of meshes and flat-sided figures as meshes
 #include "plumb/surface/solid/exact_mesh.hpp"            // what these make
 #include "plumb/surface/solid/merge_pieces.hpp"          // coplanar pieces of what these make, as polygons
 #include "plumb/surface/solid/round.hpp"                 // its doubles, sound or not

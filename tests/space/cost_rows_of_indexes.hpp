@@ -468,6 +468,8 @@ inline const CostRow rows_of_indexes[]{
      }},
     {"unite", "surface/solid/boolean.hpp", quartic, 3000,
      [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }},
+    {"evaluate", "surface/solid/evaluate.hpp", quartic, 3000,
+     [](const Cloud& c) { (void)evaluate(csg(hull_of(c.a)) - csg(hull_of(c.b))); }},
     {"merge_pieces", "surface/solid/merge_pieces.hpp", quadratic, 200,
      [](const Cloud& c) {
        const TriangleMesh hull = hull_of(c.a);
