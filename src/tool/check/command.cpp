@@ -8,6 +8,7 @@
 #include "plumb/surface/file/write_mesh.hpp"
 #include "plumb/surface/planar/triangulate.hpp"
 #include "tool/check/report.hpp"
+#include "tool/check/shard.hpp"
 #include "tool/mesh/bent_faces.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/mesh/sample_part.hpp"
@@ -92,6 +93,7 @@ bool any_defect(const std::vector<MeshCheck>& checks, const std::vector<std::str
 }  // namespace
 
 int run_check(const CheckOptions& options) {
+  if (options.shard.asked()) return run_check_shard(options);
   if (!options.nearer_than && std::ranges::count(options.fail_on_defect, "close-vertices") != 0)
     throw Error("--fail-on-defect close-vertices needs a length; give it by '--nearer-than LENGTH'");
   const MeshInputs inputs = mesh_inputs(options.meshes);

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tool/corpus/run_shard.hpp"
 #include "tool/mesh/inputs.hpp"
 
 namespace plumb::tool {
@@ -37,6 +38,7 @@ constexpr bool is_asked(std::size_t method, Asked asked) {
 
 struct CheckOptions {
   MeshArguments meshes;                    // none: the embedded part
+  ShardOptions shard;                      // else all of the meshes, by this process
   std::optional<std::string> json, chart;  // "-" is standard output
   std::optional<std::string> write_sample;
   unsigned threads = 0;                     // 0: as many as the machine has

@@ -5,7 +5,8 @@ namespace plumb::tool {
 Manual check_manual() {
   return {"plumb check",
           "is a mesh sound, and where do floats err on it?",
-          {"plumb check [OPTION]... [MESH]...", "plumb check --write-sample FILE"},
+          {"plumb check [OPTION]... [MESH]...", "plumb check --shard I/N --out DIR [OPTION]... FOLDER",
+           "plumb check --write-sample FILE"},
           {{"DESCRIPTION", R"(
 Reads each MESH (OBJ, OFF, STL, PLY, 3MF, glTF; text or binary; also
 packed by gzip), every mesh in a folder and the folders in it, or
@@ -106,6 +107,34 @@ crossing-shells
 close-vertices
        A vertex is nearer to another than the LENGTH of --nearer-than,
        and not equal to it. The distance is compared exactly.)"},
+           {"SHARDS", R"(
+plumb check FOLDER --shard I/N --out DIR
+       Checks the I-th of N parts of the meshes in a folder, each by a
+       process of its own, and writes a line of JSON for each into
+       DIR/check.I-of-N.jsonl: its name below the folder, a verdict,
+       its defects and how many there are of each fault. Floats are not
+       asked. In which part a mesh is follows from its name alone.
+
+A run that was stopped, in whatever way, goes on when it is started
+again: no mesh is left out or twice there. Two runs of one part wait for
+one another. A file that is there and was begun for another folder, with
+other options or by another version is refused. The verdicts are
+
+       sound: it has none of the DEFECTS;
+
+       faulty: it has one;
+
+       unreadable: it cannot be read, and 'why' says why;
+
+       timeout: it took longer than --time-limit allows;
+
+       out_of_memory: its process needed more than --memory-limit has,
+       in address space beyond that of the program, or all there is;
+
+       crashed: its process ended in another way; 'why' says how.
+
+Each process has one thread, unless --threads says otherwise. The exit
+status is 0 where every mesh has its line, whatever is in it.)"},
            {"METHODS", R"(
 float32
        The formula in single precision, on coordinates rounded to it.
@@ -161,6 +190,9 @@ curl --silent https://example.org/part.stl.gz | plumb check -
 
 plumb check parts --json=report.json
        The report on every mesh in a folder.
+
+plumb check parts --shard 3/10 --out found --time-limit 60
+       The third of ten parts of a folder, a line for each mesh.
 
 plumb check --write-sample flange.obj
        Writes the mesh that the program brings along.)"}}};

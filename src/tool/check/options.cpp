@@ -39,6 +39,7 @@ Command check_command(CLI::App& program) {
   parser->add_flag(
       "--brief", o.brief,
       "Print one line for each mesh, and nothing of floats; files that cannot be read have a line as well.");
+  add_shard(parser, o.shard);
   parser
       ->add_option(
           "--write-sample", o.write_sample,
