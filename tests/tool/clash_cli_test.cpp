@@ -12,7 +12,10 @@
 #include "figure/basic/solids.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
 #include "surface/file/zip_archive.hpp"
+#include "tool/browser.hpp"
+#include "tool/clash/page.hpp"
 #include "tool/clash/rules.hpp"
+#include "tool/drawing/drawn_mesh.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 
@@ -183,6 +186,111 @@ TEST(ClashCommand, WritesTopicsOfBcf) {
                 testing::ElementsAre("CameraViewPoint", "CameraDirection", "CameraUpVector", "FieldOfView"));
   }
   EXPECT_THAT(titles, testing::Contains("a&b <lid> - plate: touching"));
+}
+
+TEST(ClashCommand, APageShowsTheListBesideTheScene) {
+  const Folder folder;
+  const std::string at = with_parts(folder);
+  // Names that would end a script, or hide its end, or end an attribute.
+  const std::string hostile = "<!--<script>\"'&{}<b>";
+  std::filesystem::rename(folder / "parts/lid.stl", std::filesystem::path(folder / "parts") / (hostile + ".stl"));
+  ASSERT_EQ(run(at + "parts --clearance 0.25 --page page.html --json out.json").code, 0);
+  const std::string page = content(folder / "page.html");
+  EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), testing::EndsWith("</html>\n"),
+                          HasSubstr("5 parts, 5 pairs in reach: 2 within clearance"),
+                          HasSubstr("<button type=\"button\">bar - plate</button></td><td>piercing through</td>")));
+  EXPECT_THAT(page, testing::Not(testing::AnyOf(HasSubstr("http:"), HasSubstr("https:"), HasSubstr("src=\""),
+                                                HasSubstr("<!--"), HasSubstr("missing, for so many"))));
+  const Outcome again = run(at + "parts --page page.html");
+  EXPECT_EQ(again.code, 2) << "no file is replaced that was not to be";
+  EXPECT_THAT(again.err, AllOf(HasSubstr("page.html"), HasSubstr("--overwrite")));
+  EXPECT_EQ(content(folder / "page.html"), page);
+  EXPECT_EQ(run(at + "parts --ignore touching --page page.html --overwrite").code, 0);
+  EXPECT_NE(content(folder / "page.html"), page);
+  if (!has_browser()) return;
+  const Outcome shown = in_browser(page, R"(addEventListener('DOMContentLoaded', () => {
+const canvas = document.getElementById('scene'), find = id => document.getElementById(id);
+const painted = () => {
+  const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  const count = { orange: 0, blue: 0, yellow: 0, grey: 0, y: 0 };
+  for (let i = 0; i < data.length; i += 4) {
+    const r = data[i], g = data[i + 1], b = data[i + 2], a = data[i + 3];
+    if (!a) continue;
+    if (r > 3 * g / 2 && b < 20) ++count.orange, count.y += Math.floor(i / 4 / canvas.width);
+    if (b > 2 * r && r < 20 && b > 60) ++count.blue;
+    if (r > 60 && g > r * 0.7 && b < r / 3) ++count.yellow;
+    if (r > 40 && b > r && b < 1.3 * r) ++count.grey;
+  }
+  return count;
+};
+const rows = [...document.querySelectorAll('tr[data-clash]')], told = () => find('told').textContent, said = [];
+const event = (id, name, more = {}) => find(id).dispatchEvent(Object.assign(new Event(name), more));
+const bar = rows.find(row => row.textContent.startsWith('bar - plate'));
+said.push(rows.length, rows.some(row => row.querySelector('button').textContent === `\u003c!--\u003cscript>"'&{}<b> - plate`));
+bar.querySelector('button').click();
+const before = painted();
+said.push(told().startsWith('bar - plate: piercing through at (') && told().endsWith(', volume 1, depth 2'), bar.classList.contains('fails'));
+said.push(before.orange > 200, before.blue > 200, before.yellow > 200, before.grey > 20, canvas.mark[0] === 380 && canvas.mark[1] === 280);
+find('others').value = 'hidden', event('others', 'input');
+said.push(painted().grey === 0, find('moved').textContent.includes('free'));
+find('apart').value = 100, event('apart', 'input');
+const after = painted();
+said.push(find('moved').textContent.endsWith(', free'), Math.abs(after.y / after.orange - before.y / before.orange) > 30);
+event('scene', 'keydown', { key: 'n' });
+said.push(told() !== '' && !told().startsWith('bar - plate'), find('apart').value);
+event('scene', 'keydown', { key: 'ArrowLeft' });
+document.querySelector('input[value="touching"]').click();
+said.push(rows.filter(row => row.hidden).length);
+find('all').click();
+said.push(told() === '', painted().grey > 1000);
+document.title = said.join();
+});)");
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  EXPECT_THAT(shown.err, testing::Not(HasSubstr("CONSOLE")));
+  EXPECT_THAT(shown.out, HasSubstr("<title>5,true,true,true,true,true,true,true,true,true,false,true,true,true,0,1,"
+                                   "true,true</title>"));
+}
+
+TEST(ClashPage, BoundsWhatIsDrawnAndSaysSo) {
+  const std::vector<TriangleMesh> meshes{solids::torus(4, 1, 40, 20), solids::box({4, -1, -1}, {9, 1, 1}),
+                                         solids::box({20, 0, 0}, {21, 1, 1})};
+  ClashReport report;
+  for (const TriangleMesh& m : meshes)
+    report.parts.push_back({"part", "", m.vertices.size(), m.triangles.size(), true, 1});
+  report.counts.assign(clash_kinds, 0);
+  Clashes found = find_clashes(meshes);
+  ASSERT_EQ(found.found.size(), 1U);
+  report.clashes = {found.found[0], found.found[0]};
+  const auto raw_of = [](const std::string& page) {
+    const std::string begin = "id=\"raw\">";
+    const std::size_t from = page.find(begin) + begin.size();
+    return json::parse(page.substr(from, page.find("</script>", from) - from));
+  };
+  const std::string whole = clash_page(report, meshes), bounded = clash_page(report, meshes, {1, 200});
+  EXPECT_EQ(raw_of(whole).at("shown").size(), 2U);
+  EXPECT_EQ(raw_of(whole).at("parts").size(), 2U) << "what clashes alone";
+  EXPECT_EQ(raw_of(whole).at("parts")[0].at("triangles").size(), 3 * meshes[0].triangles.size());
+  EXPECT_THAT(bounded,
+              AllOf(HasSubstr("and 1 more clashes"), HasSubstr("1 large part is drawn with triangles missing")));
+  const json part = raw_of(bounded).at("parts")[0], clash = raw_of(bounded).at("shown")[0];
+  const std::size_t told = std::min<std::size_t>(ClashReport::told, report.clashes[0].clash.meeting.size());
+  EXPECT_LE(part.at("triangles").size(), 3 * (100 + told));
+  EXPECT_GE(part.at("triangles").size(), 3 * 80U);
+  // The triangles that meet are those of the mesh.
+  std::set<std::uint32_t> expected;
+  for (std::size_t i = 0; i < told; ++i) expected.insert(report.clashes[0].clash.meeting[i].a);
+  ASSERT_EQ(clash.at("met_a").size(), expected.size());
+  const DrawnCube cube(meshes);
+  std::size_t i = 0;
+  for (const std::uint32_t t : expected) {
+    const std::size_t drawn = clash.at("met_a")[i++];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t v = part.at("triangles")[3 * drawn + k];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_EQ(part.at("points")[3 * v + axis].get<double>(),
+                  cube.of(meshes[0].vertices[meshes[0].triangles[t][k]])[axis]);
+    }
+  }
 }
 
 TEST(ClashPatterns, MatchNames) {

@@ -11,6 +11,7 @@
 #include "plumb/figure/aabb/aabb.hpp"
 #include "plumb/query/ray/parity.hpp"
 #include "tool/clash/bcf.hpp"
+#include "tool/clash/page.hpp"
 #include "tool/clash/rules.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
@@ -91,6 +92,7 @@ int run_clash(const ClashArguments& options) {
   outputs.promise("--json", options.json);
   outputs.promise("--csv", options.csv);
   outputs.promise("--bcf", options.bcf);
+  outputs.promise_unless_there("--page", options.page, options.overwrite);
   const ThreadLimit limit(options.threads);
   const bool says = !outputs.on_standard_output();
   if (says)
@@ -133,6 +135,7 @@ int run_clash(const ClashArguments& options) {
   if (options.json) outputs.write("--json", json_text(clash_json(report)));
   if (options.csv) outputs.write("--csv", clash_csv(report));
   if (options.bcf) outputs.write("--bcf", clash_bcf(report, origin_json("plumb clash").at("date").get<std::string>()));
+  if (options.page) outputs.write("--page", clash_page(report, meshes));
   if (!is_any_named(options.meshes, report.unread)) outputs.keep();
   if (!all_good) return 2;
   return options.fail_on_found && !report.clashes.empty() ? 1 : 0;

@@ -36,6 +36,9 @@ A part that cannot be read is told by its name; all others are asked.)"}},
 plumb clash --ignore touching --json clashes.json machine.glb
        All that is more than contact.
 
+plumb clash --page clashes.html machine.glb
+       The list and the scene, to be looked at in a browser.
+
 plumb clash --clearance 0.5 --rule 'bolt*,plate*: ignore touching' parts/
        What is nearer than 0.5, but not bolts that fit.)"}}};
 }

@@ -29,6 +29,9 @@ Command clash_command(CLI::App& program) {
   add_output(parser, "--json", o.json, "Write parts and every clash as JSON");
   add_output(parser, "--csv", o.csv, "Write a row for each clash as CSV");
   add_output(parser, "--bcf", o.bcf, "Write a topic with a viewpoint for each clash as BCF 2.1");
+  add_output(parser, "--page", o.page,
+             "Write one HTML page, which opens offline: the list beside the scene, each two parts in color");
+  parser->add_flag("--overwrite", o.overwrite, "Replace the file of --page where it is there.");
   add_threads(parser, o.threads);
   return {parser, clash_manual, [options] { return run_clash(*options); }, &o.meshes.words};
 }

@@ -61,34 +61,41 @@ json clash_json_of(const PartClash& pair, const ClashReport& report) {
 
 }  // namespace
 
+std::string clash_line(const ClashReport& report, const PartClash& pair, const Style& style) {
+  const Clash& c = pair.clash;
+  const std::string word(name_of(c.kind));
+  const bool mild = c.kind == ClashKind::touching || c.kind == ClashKind::within_clearance;
+  return fmt::format("{} - {}: {} at ({}, {}, {}){}", style.bold(printable(report.parts[pair.a].name)),
+                     style.bold(printable(report.parts[pair.b].name)), mild ? style.yellow(word) : style.red(word),
+                     c.place.x, c.place.y, c.place.z, measures_text(c, report, pair));
+}
+
+std::string clash_count(const ClashReport& report) {
+  std::string counts;
+  for (std::size_t k = 1; k < report.counts.size(); ++k)
+    if (report.counts[k] != 0)
+      counts += fmt::format("{}{} {}", counts.empty() ? ": " : ", ", grouped(report.counts[k]),
+                            name_of(static_cast<ClashKind>(k)));
+  std::string text = fmt::format("{}, {} in reach{}", plural(report.parts.size(), "part", "parts"),
+                                 plural(report.asked, "pair", "pairs"), counts.empty() ? ": no clash" : counts);
+  if (report.ignored != 0) text += fmt::format(" ({} ignored)", grouped(report.ignored));
+  const auto sheets = static_cast<std::size_t>(
+      std::ranges::count_if(report.parts, [](const AssemblyMember& part) { return !part.closed; }));
+  if (sheets != 0) text += fmt::format("; {} not closed, and taken for sheets", plural(sheets, "part is", "parts are"));
+  return text;
+}
+
 std::string clash_text(const ClashReport& report, bool all, const Style& style) {
   std::string text;
   std::size_t shown = 0;
   for (const PartClash& pair : report.clashes) {
     if (!all && shown == ClashReport::listed) break;
     ++shown;
-    const Clash& c = pair.clash;
-    const std::string word(name_of(c.kind));
-    const bool mild = c.kind == ClashKind::touching || c.kind == ClashKind::within_clearance;
-    text += fmt::format("{} - {}: {} at ({}, {}, {}){}\n", style.bold(printable(report.parts[pair.a].name)),
-                        style.bold(printable(report.parts[pair.b].name)), mild ? style.yellow(word) : style.red(word),
-                        c.place.x, c.place.y, c.place.z, measures_text(c, report, pair));
+    text += clash_line(report, pair, style) + "\n";
   }
   if (shown < report.clashes.size())
     text += fmt::format("and {} more, which '--all' lists\n", grouped(report.clashes.size() - shown));
-  text += fmt::format("{}, {} in reach", plural(report.parts.size(), "part", "parts"),
-                      plural(report.asked, "pair", "pairs"));
-  std::string counts;
-  for (std::size_t k = 1; k < report.counts.size(); ++k)
-    if (report.counts[k] != 0)
-      counts += fmt::format("{}{} {}", counts.empty() ? ": " : ", ", grouped(report.counts[k]),
-                            name_of(static_cast<ClashKind>(k)));
-  text += counts.empty() ? ": no clash" : counts;
-  if (report.ignored != 0) text += fmt::format(" ({} ignored)", grouped(report.ignored));
-  const auto sheets = static_cast<std::size_t>(
-      std::ranges::count_if(report.parts, [](const AssemblyMember& part) { return !part.closed; }));
-  if (sheets != 0) text += fmt::format("; {} not closed, and taken for sheets", plural(sheets, "part is", "parts are"));
-  return text + "\n";
+  return text + clash_count(report) + "\n";
 }
 
 json clash_json(const ClashReport& report) {

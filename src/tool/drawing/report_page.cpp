@@ -148,8 +148,8 @@ std::string report_page(const ReportPage& page, const nlohmann::json& raw) {
   for (const PageFilter& filter : page.filters) html += fieldset(filter);
   html += page.body;
   std::string data = raw.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  // within a script nothing may look like its end
-  for (std::size_t at = 0; (at = data.find("</", at)) != std::string::npos; at += 3) data.replace(at, 2, "<\\/");
+  // Within a script nothing may look like its end, or like the beginning of a comment, which would hide that.
+  for (std::size_t at = 0; (at = data.find('<', at)) != std::string::npos; at += 6) data.replace(at, 1, "\\u003c");
   html.append("<div id=\"hint\" role=\"status\" hidden></div>\n<script type=\"application/json\" id=\"raw\">");
   html.append(data).append("</script>\n").append(kScript);
   return html.append("</body>\n</html>\n");

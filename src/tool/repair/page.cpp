@@ -10,6 +10,8 @@
 
 #include "tool/check/surface.hpp"
 #include "tool/drawing/chart.hpp"
+#include "tool/drawing/drawn_mesh.hpp"
+#include "tool/drawing/mesh_view.hpp"
 #include "tool/drawing/report_page.hpp"
 #include "tool/repair/command.hpp"
 #include "tool/repair/page_view.hpp"
@@ -58,39 +60,6 @@ std::vector<std::uint8_t> not_in(const TriangleMesh& mesh, const TriangleMesh& o
   return marked;
 }
 
-/// The cube about a mesh, as whole numbers of a ten-millionth of its half side.
-class Cube {
- public:
-  explicit Cube(const TriangleMesh& mesh) {
-    std::array<double, 3> least{}, most{};
-    bool any = false;
-    for (const auto& t : mesh.triangles) {  // a vertex that no triangle names may be anywhere
-      for (const std::uint32_t v : t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double x = at(mesh.vertices[v], k) / 4;
-          least[k] = any ? std::min(least[k], x) : x;
-          most[k] = any ? std::max(most[k], x) : x;
-        }
-        any = true;
-      }
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      middle_[k] = least[k] / 2 + most[k] / 2;
-      half_ = std::max(half_, most[k] / 2 - least[k] / 2);
-    }
-    if (half_ == 0) half_ = 1;
-  }
-  [[nodiscard]] double of(const Point3& p, std::size_t k) const {
-    return std::round((at(p, k) / 4 - middle_[k]) / half_ * 1e7) / 1e7;
-  }
-  [[nodiscard]] json triple(const Point3& p) const { return {of(p, 0), of(p, 1), of(p, 2)}; }
-
- private:
-  static double at(const Point3& p, std::size_t k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; }
-  std::array<double, 3> middle_{};  // of a quarter of the coordinates, whose differences are numbers
-  double half_ = 0;
-};
-
 /// Which triangles are drawn: all, or those that were changed and some rings about them, and every so many of the rest.
 std::vector<std::uint32_t> drawn(const TriangleMesh& mesh, const std::vector<std::uint8_t>& changed) {
   std::vector<std::uint8_t> near(mesh.vertices.size());
@@ -114,29 +83,24 @@ std::vector<std::uint32_t> drawn(const TriangleMesh& mesh, const std::vector<std
 }
 
 /// A mesh for the script: points and triangles in a row, which triangles changed, and the edges that are wrong.
-json part_of(const TriangleMesh& mesh, const std::vector<std::uint8_t>& changed, const Cube& cube) {
-  constexpr auto none = static_cast<std::uint32_t>(-1);
-  std::vector<std::uint32_t> number(mesh.vertices.size(), none), triangles, altered, open, crowded;
-  std::vector<double> points;
-  std::uint32_t next = 0;
-  const auto number_of = [&](std::uint32_t v) {
-    if (number[v] == none) {
-      number[v] = next++;
-      for (std::size_t k = 0; k < 3; ++k) points.push_back(cube.of(mesh.vertices[v], k));
-    }
-    return number[v];
-  };
+json part_of(const TriangleMesh& mesh, const std::vector<std::uint8_t>& changed, const DrawnCube& cube) {
+  DrawnMesh made(mesh, cube);
+  std::vector<std::uint32_t> altered, open, crowded;
   for (const std::uint32_t t : drawn(mesh, changed)) {
-    if (changed[t] != 0) altered.push_back(static_cast<std::uint32_t>(triangles.size() / 3));
-    for (const std::uint32_t v : mesh.triangles[t]) triangles.push_back(number_of(v));
+    if (changed[t] != 0) altered.push_back(static_cast<std::uint32_t>(made.triangles().size() / 3));
+    made.add(t);
   }
   const MeshEdges edges = find_edges(mesh);
   for (std::size_t e = 0; e < edges.edges.size(); ++e) {
     const std::size_t uses = edges.uses_of(e).size();
     if (uses == 2) continue;
-    for (const std::uint32_t v : edges.edges[e]) (uses == 1 ? open : crowded).push_back(number_of(v));
+    for (const std::uint32_t v : edges.edges[e]) (uses == 1 ? open : crowded).push_back(made.number_of(v));
   }
-  return {{"points", points}, {"triangles", triangles}, {"changed", altered}, {"open", open}, {"crowded", crowded}};
+  return {{"points", made.points()},
+          {"triangles", made.triangles()},
+          {"changed", altered},
+          {"open", open},
+          {"crowded", crowded}};
 }
 
 std::string row_of(const RepairChange& c, std::size_t mesh) {
@@ -152,13 +116,13 @@ std::string row_of(const RepairChange& c, std::size_t mesh) {
 }  // namespace
 
 void RepairPage::add(const TriangleMesh& before, const MendedMesh& m) {
-  const Cube cube(before);
+  const DrawnCube cube({&before, 1});
   json places = json::array(), left = json::array();
   std::string rows;
   const std::size_t count = std::min(m.done.changes.size(), most_places);
   for (std::size_t i = 0; i < count; ++i) {
     const RepairChange& c = m.done.changes[i];
-    places.push_back(cube.triple(c.place));
+    places.push_back(json(cube.of(c.place)));
     left.push_back(is_left(c.kind));
     rows += row_of(c, scenes_.size());
     kinds_[static_cast<std::size_t>(c.kind)] = true;
@@ -193,8 +157,8 @@ std::string RepairPage::text() const {
                   "What was wrong with each mesh, what was changed, and what is left. Coordinates are rounded for the "
                   "pictures alone.",
                   {},
-                  fmt::format("<section><article class=\"script\" hidden id=\"stage\">{}</article>\n{}</section>\n{}",
-                              repair_stage, body_, repair_script)};
+                  fmt::format("<section><article class=\"script\" hidden id=\"stage\">{}</article>\n{}</section>\n{}{}",
+                              repair_stage, body_, mesh_view_script, repair_script)};
   if (!changes.names.empty()) page.filters.push_back(std::move(changes));
   json raw = origin_json("plumb repair");
   raw["scenes"] = scenes_;
