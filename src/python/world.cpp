@@ -1,6 +1,8 @@
 // Worlds: bodies that come, go and move by rigid poses.  A handle is an integer: the generation above, the slot below.
 #include "plumb/world/world.hpp"
 
+#include <limits>
+
 #include "python/figure_answers.hpp"
 #include "python/figure_class.hpp"
 #include "python/mesh.hpp"
@@ -226,6 +228,19 @@ void add_answers(World& world) {
           py::arg("figure"), py::arg("distance"), py::arg("mask") = every_group,
           "within(self, figure, distance, mask=0xffffffff)\n--\n\nThe bodies no farther than that from a figure or "
           "point: a list of WorldNear, nearest first.")
+      .def(
+          "nearest_pairs",
+          [](const CollisionWorld& self, std::size_t k, double within) {
+            py::list told;
+            for (const WorldNearPair& p : unlocked([&] { return self.nearest_pairs(k, within); })) {
+              told.append(answer("WorldNearPair", number_of(p.a), number_of(p.b), told_part(p.part_a),
+                                 told_part(p.part_b), p.distance));
+            }
+            return told;
+          },
+          py::arg("k") = 1, py::arg("within") = std::numeric_limits<double>::infinity(),
+          "nearest_pairs(self, k=1, within=inf)\n--\n\nThe k pairs of bodies nearest to one another and no farther "
+          "than that: a list of\nWorldNearPair, nearest first.")
       .def("first_contact", first_contact_of, py::arg("figure"), py::arg("by"), py::arg("mask") = every_group,
            "first_contact(self, figure, by, mask=0xffffffff)\n--\n\nWhich body does a figure that moves along a vector "
            "come to first?\n\nReturns\n-------\nWorldCast, or None")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumb/query/body/hit_pairs.hpp"
+#include "plumb/space/closest/closest_triangles.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
 #include "world/grown_box.hpp"
 
@@ -90,6 +91,25 @@ PartDistance distance_to(const Placed& part, const AnyFigure& figure) {
 
 ExactDistance exact_distance_to(const Placed& part, std::uint32_t triangle, const AnyFigure& figure) {
   return exact_distance(figure_at(part, triangle), figure);
+}
+
+PartsDistance distance_of_parts(const Placed& a, const Placed& b) {
+  if (const auto* figure = std::get_if<AnyFigure>(&b)) {
+    const PartDistance found = distance_to(a, *figure);
+    return {found.triangle, 0, found.distance};
+  }
+  if (const auto* figure = std::get_if<AnyFigure>(&a)) {
+    const PartDistance found = distance_to(b, *figure);
+    return {0, found.triangle, found.distance};
+  }
+  const auto found =
+      closest_triangles(std::get<PlacedMesh>(a).bvh_view(), std::get<PlacedMesh>(b).bvh_view(), {.first = true});
+  return {found->a, found->b, found->closest.distance};
+}
+
+ExactDistance exact_distance_of_parts(const Placed& a, std::uint32_t triangle_a, const Placed& b,
+                                      std::uint32_t triangle_b) {
+  return exact_distance(figure_at(a, triangle_a), figure_at(b, triangle_b));
 }
 
 std::optional<PartTime> first_contact(const PartInMotion& a, const PartInMotion& b) {

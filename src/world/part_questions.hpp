@@ -31,6 +31,14 @@ struct PartDistance {
 PartDistance distance_to(const Placed& part, const AnyFigure& figure);
 ExactDistance exact_distance_to(const Placed& part, std::uint32_t triangle, const AnyFigure& figure);
 
+struct PartsDistance {
+  std::uint32_t triangle_a, triangle_b;
+  double distance;
+};
+PartsDistance distance_of_parts(const Placed& a, const Placed& b);
+ExactDistance exact_distance_of_parts(const Placed& a, std::uint32_t triangle_a, const Placed& b,
+                                      std::uint32_t triangle_b);
+
 /// What moves by a vector during time [0, 1].
 struct PartInMotion {
   const Placed& part;

@@ -72,6 +72,8 @@ def test_questions_of_all_bodies():
     assert world.first_hit(plumb.Ray3([-4, 9, 0], [-1, 0, 0])) is None
     assert [n.body for n in world.nearest([0, 0, 3], k=2)] == [ball, both]
     assert [n.body for n in world.within([0, 0, 3], 2.0)] == [ball]
+    assert [(p.a, p.b, p.distance) for p in world.nearest_pairs(2)] == [(ball, rock, 4.0), (ball, both, 5.0)]
+    assert world.nearest_pairs(within=3.9) == []
     assert world.overlaps(plumb.Aabb3([9, 9, 9], [9, 9, 9])).tolist() == [both]
     cast = world.first_contact(plumb.Sphere3([0, 0, 3], 1), [0, 0, 10])
     assert (cast.body, cast.part) == (both, (0, 0))

@@ -155,6 +155,110 @@ void expect_distances(const Scene& scene, Entropy& e, Counts& counts) {
   ++(near == 0 ? counts.missed : counts.hit);
 }
 
+using IdPair = std::pair<std::uint64_t, std::uint64_t>;
+using PairDistances = std::vector<std::pair<ExactDistance, IdPair>>;
+
+bool is_less(const ExactDistance& p, const ExactDistance& q) { return compare(p, q) == Sign::negative; }
+
+/// Of each two bodies that may meet the least distance of their figures, in order.
+PairDistances all_pair_distances(const Scene& scene) {
+  PairDistances all;
+  const auto for_figures = [](const Member& m, const auto& call) {
+    for (const auto& part : m.drawn.figures) {
+      for (const AnyFigure& f : part) call(f);
+    }
+  };
+  for (auto a = scene.members.begin(); a != scene.members.end(); ++a) {
+    for (auto b = std::next(a); b != scene.members.end(); ++b) {
+      if ((a->second.options.group & b->second.options.mask) == 0) continue;
+      if ((b->second.options.group & a->second.options.mask) == 0) continue;
+      std::optional<ExactDistance> least;
+      for_figures(a->second, [&](const AnyFigure& p) {
+        for_figures(b->second, [&](const AnyFigure& q) {
+          const ExactDistance d = exact_distance(p, q);
+          if (!least || is_less(d, *least)) least = d;
+        });
+      });
+      all.push_back({*least, {a->first, b->first}});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return is_less(p.first, q.first); });
+  return all;
+}
+
+void expect_pairs(const Scene& scene, const std::vector<WorldNearPair>& told, const PairDistances& expected,
+                  std::size_t size, Counts& counts) {
+  ASSERT_EQ(told.size(), size);
+  for (std::size_t i = 0; i < size; ++i) {
+    EXPECT_EQ((IdPair{told[i].id_a, told[i].id_b}), expected[i].second) << i;
+    const AnyFigure &p = scene.at(told[i].id_a, told[i].part_a), &q = scene.at(told[i].id_b, told[i].part_b);
+    EXPECT_EQ(distance(p, q), told[i].distance);
+    EXPECT_EQ(compare(exact_distance(p, q), expected[i].first), Sign::zero);
+    const bool is_tied = i > 0 && compare(expected[i].first, expected[i - 1].first) == Sign::zero;
+    ++(is_tied ? counts.tied : told[i].distance > 0 ? counts.missed : counts.hit);
+  }
+}
+
+TEST(WorldQuestions, NearestPairsAreThoseOfEachTwoBodies) {
+  Counts counts;
+  for (std::uint64_t run = 0; run < 12; ++run) {
+    Entropy e(4630, run);
+    Scene scene;
+    for (int i = 0; i < 9; ++i) scene.add(e);
+    for (int step = 0; step < 3; ++step) {
+      SCOPED_TRACE("replay: Entropy(4630, " + std::to_string(run) + "), step " + std::to_string(step));
+      for (int i = 0; i < 4; ++i) scene.change(e);
+      const PairDistances expected = all_pair_distances(scene);
+      const std::size_t k = e.below(12);
+      expect_pairs(scene, scene.world.nearest_pairs(k), expected, std::min(k, expected.size()), counts);
+      expect_pairs(scene, scene.world.nearest_pairs(1000), expected, expected.size(), counts);
+      const double limit = double(e.below(3));
+      const auto near = std::size_t(std::count_if(
+          expected.begin(), expected.end(), [&](const auto& p) { return compare(p.first, limit) != Sign::positive; }));
+      expect_pairs(scene, scene.world.nearest_pairs(1000, limit), expected, near, counts);
+      EXPECT_TRUE(scene.world.nearest_pairs(1000, -1).empty());
+      EXPECT_EQ(scene.world.check(), std::vector<std::string>());
+      if (::testing::Test::HasFailure()) return;
+    }
+  }
+  std::printf("%d meet, %d apart, %d tied\n", counts.hit, counts.missed, counts.tied);
+  EXPECT_GT(counts.hit, 20);
+  EXPECT_GT(counts.missed, 100);
+  EXPECT_GT(counts.tied, 200);
+}
+
+// The nearest of many are found among all, whatever leaves the pair out that would be nearer.
+TEST(WorldQuestions, NearestPairsOfManyBodies) {
+  Entropy e(4640);
+  CollisionWorld world;
+  std::vector<std::pair<BodyHandle, Point3>> all;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    const Point3 p{double(e.within(300)), double(e.within(300)), double(e.within(300))};
+    const BodyOptions options{.mask = e.below(5) == 0 ? 2U : every_group, .user_id = i};
+    const BodyHandle h = world.add(Sphere3{p, double(e.below(3))}, options);
+    if (options.mask == every_group) all.push_back({h, p});
+  }
+  world.allow_collision(all[0].first, all[1].first);
+  world.set_filter([&](const BodyHandle& a, const BodyHandle& b) {
+    return (world.options(a).user_id + world.options(b).user_id) % 3 != 0;
+  });
+  std::vector<std::pair<ExactDistance, IdPair>> expected;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      const IdPair ids{world.options(all[i].first).user_id, world.options(all[j].first).user_id};
+      if ((i == 0 && j == 1) || (ids.first + ids.second) % 3 == 0) continue;
+      const AnyFigure &p = world.figure(all[i].first), &q = world.figure(all[j].first);
+      if (distance(p, q) < 80) expected.push_back({exact_distance(p, q), ids});
+    }
+  }
+  std::stable_sort(expected.begin(), expected.end(),
+                   [](const auto& p, const auto& q) { return is_less(p.first, q.first); });
+  ASSERT_GT(expected.size(), 40U);
+  const std::vector<WorldNearPair> told = world.nearest_pairs(40);
+  ASSERT_EQ(told.size(), 40U);
+  for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ((IdPair{told[i].id_a, told[i].id_b}), expected[i].second);
+}
+
 std::optional<Root> time_of(const AnyFigure& a, const Vector3& by_a, const AnyFigure& b, const Vector3& by_b) {
   return first_contact_time(Translating<AnyFigure>{a, by_a}, Translating<AnyFigure>{b, by_b});
 }
@@ -326,6 +430,7 @@ TEST(WorldQuestions, BadQuestionsAreRefusedAndFiltersHold) {
   const std::vector<BodyMotion> no_number{{a, {0, 0, nan}}}, twice{{a, {1, 0, 0}}, {a, {1, 0, 0}}};
   EXPECT_THROW(static_cast<void>(world.first_contacts(no_number)), NonFinite);
   EXPECT_THROW(static_cast<void>(world.first_contacts(twice)), InvalidShape);
+  EXPECT_THROW(static_cast<void>(world.nearest_pairs(1, nan)), NonFinite);
   std::vector<std::optional<WorldHit>> one(1);
   EXPECT_THROW(world.first_hit(std::span<const AnyRay>(), one), UnequalLengths);
   const std::vector<BodyMotion> motion{{a, {9, 0, 0}}};

@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -122,6 +123,15 @@ struct WorldNear {
   friend bool operator==(const WorldNear&, const WorldNear&) = default;
 };
 
+/// How far two bodies are apart; the parts that are nearest, of equal ones those of the lowest numbers.
+struct WorldNearPair {
+  std::uint64_t id_a, id_b;
+  BodyHandle a, b;
+  BodyPart part_a, part_b;
+  double distance;
+  friend bool operator==(const WorldNearPair&, const WorldNearPair&) = default;
+};
+
 /// When what moves comes to a body first; feature_a is that of what moves.
 struct WorldCast {
   std::uint64_t user_id;
@@ -213,6 +223,11 @@ class CollisionWorld {
   /// All whose distance is at most that, in the same order; none is within a negative one.
   [[nodiscard]] std::vector<WorldNear> within(const AnyFigure& figure, double distance,
                                               std::uint32_t mask = every_group) const;
+
+  /// The k pairs of bodies nearest to one another as they stand now, of those that commit() asks about and that are no
+  /// farther than `within`: by exact distances, equal ones in the order of pairs.  A filter is asked in any order.
+  [[nodiscard]] std::vector<WorldNearPair> nearest_pairs(std::size_t k = 1,
+                                                         double within = std::numeric_limits<double>::infinity()) const;
 
   /// Shape cast: the figure moves by a vector during time [0, 1], the bodies stand still.  The first by exact times, of
   /// equal ones by user id.

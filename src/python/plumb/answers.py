@@ -9,7 +9,7 @@ __all__ = ["Arrangement", "BoundaryLoop", "ClosestPoints", "Combined", "ConvexPa
            "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
            "MergedVertex", "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support",
            "SurfaceKind", "Voronoi", "Welded", "WorldCast", "WorldContact", "WorldEvents", "WorldHit", "WorldImpact",
-           "WorldNear"]
+           "WorldNear", "WorldNearPair"]
 
 
 class Feature(NamedTuple):
@@ -347,6 +347,16 @@ class WorldNear(NamedTuple):
 
     body: int
     part: Tuple[int, int]
+    distance: float
+
+
+class WorldNearPair(NamedTuple):
+    """Two bodies of a world, and how far they are apart."""
+
+    a: int
+    b: int
+    part_a: Tuple[int, int]
+    part_b: Tuple[int, int]
     distance: float
 
 
