@@ -124,6 +124,24 @@ py::list impacts(const CollisionWorld& self, const py::dict& motions) {
   return told;
 }
 
+py::list spans(const CollisionWorld& self, const py::dict& turns, double resolution) {
+  constexpr const char* function = "CollisionWorld.first_contact_spans";
+  std::vector<BodyTurn> all;
+  for (const auto& [body, to] : turns) {
+    if (!py::isinstance<py::tuple>(to) || py::len(to) != 2) {
+      throw py::type_error(std::string(function) + ": turns has no pair of a turn and a translation");
+    }
+    const auto pose = to.cast<py::tuple>();
+    all.push_back({handle_of(body.cast<std::uint64_t>()), rigid_in(pose[0], pose[1], function)});
+  }
+  const HalvingOptions options{.resolution = resolution};
+  py::list told;
+  for (const WorldContactSpan& c : unlocked([&] { return self.first_contact_spans(all, options); })) {
+    told.append(answer("WorldContactSpan", number_of(c.a), number_of(c.b), c.span.from, c.span.to, c.is_certain));
+  }
+  return told;
+}
+
 using World = py::class_<CollisionWorld>;
 
 void add_bodies(World& world) {
@@ -247,7 +265,14 @@ void add_answers(World& world) {
       .def("first_contacts", impacts, py::arg("motions"),
            "first_contacts(self, motions)\n--\n\nBodies move at once, each by a vector during time [0, 1]: which pairs "
            "meet, and when first?\n\nParameters\n----------\nmotions : dict of handles and vectors\n\n"
-           "Returns\n-------\nlist of WorldImpact, by exact times; those of one rank are at exactly one time");
+           "Returns\n-------\nlist of WorldImpact, by exact times; those of one rank are at exactly one time")
+      .def(
+          "first_contact_spans", spans, py::arg("turns"), py::arg("resolution") = 0x1p-12,
+          "first_contact_spans(self, turns, resolution=2**-12)\n--\n\nBodies go at once, each from its pose to another "
+          "during time [0, 1]: which pairs may meet, and when\nfirst?\n\nParameters\n----------\nturns : dict of "
+          "handles "
+          "and pairs (turn, translation), each may be None\nresolution : float, the longest span that is told\n\n"
+          "Returns\n-------\nlist of WorldContactSpan; before its span a pair does not meet, for certain");
 }
 
 }  // namespace

@@ -82,6 +82,18 @@ def test_questions_of_all_bodies():
     assert (impact.a, impact.b, impact.rank, impact.contact.time) == (ball, rock, 0, 0.5)
 
 
+def test_what_turns_does_not_tunnel():
+    world = plumb.CollisionWorld()
+    needle = world.add(plumb.Segment3([1, 0, 0], [4, 0, 0]), user_id=1)
+    blade = world.add(plumb.Triangle3([0, 2, -1], [0, 2, 1], [0, 3, 0]), user_id=2)
+    span, = world.first_contact_spans({needle: ((0, 0, 0, 1), None)})
+    assert (span.a, span.b, span.is_certain) == (needle, blade, True)
+    assert span.begin <= 0.5 <= span.end <= span.begin + 2**-12
+    assert world.first_contact_spans({needle: ((1, 0, 0, -1), None)}, resolution=2**-6) == []
+    with pytest.raises(TypeError, match="a turn and a translation"):
+        world.first_contact_spans({needle: (1, 0, 0, -1)})
+
+
 def test_what_is_no_body_is_refused_by_name():
     world = plumb.CollisionWorld()
     body = world.add(plumb.Sphere3([0, 0, 0], 1), user_id=7)

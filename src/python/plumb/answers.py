@@ -8,7 +8,8 @@ __all__ = ["Arrangement", "BoundaryLoop", "ClosestPoints", "Combined", "ConvexPa
            "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
            "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
            "MergedVertex", "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support",
-           "SurfaceKind", "Voronoi", "Welded", "WorldCast", "WorldContact", "WorldEvents", "WorldHit", "WorldImpact",
+           "SurfaceKind", "Voronoi", "Welded", "WorldCast", "WorldContact", "WorldContactSpan",
+           "WorldEvents", "WorldHit", "WorldImpact",
            "WorldNear", "WorldNearPair"]
 
 
@@ -330,6 +331,16 @@ class WorldContact(NamedTuple):
     part_a: Tuple[int, int]  # the part of a compound and the triangle of a mesh, 0 where there is one alone
     part_b: Tuple[int, int]
     contact: Contact
+
+
+class WorldContactSpan(NamedTuple):
+    """Two bodies of a world that do not meet before a span of time, and may meet in it."""
+
+    a: int
+    b: int
+    begin: float
+    end: float
+    is_certain: bool  # that they do
 
 
 class WorldHit(NamedTuple):
