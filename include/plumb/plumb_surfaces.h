@@ -1,5 +1,5 @@
 /* What is asked of the surface of a mesh, and of the plane?  A part of plumb.h: components, loops, welding, faces of one
- * plane, sections, repair step by step, covers; Voronoi's vertices, convex pieces, arrangements of segments.
+ * plane, sections, repair step by step, covers, clashes; Voronoi's vertices, convex pieces, arrangements of segments.
  *
  *   plumb_loops* loops;
  *   const plumb_loop* each;
@@ -138,6 +138,36 @@ plumb_status plumb_mesh_repair_by(const plumb_mesh* mesh, const plumb_repair_ste
  * `concavity` is the length that is allowed, `most_parts` 0 for no limit.  As plumb_mesh_convex_parts tells parts. */
 plumb_status plumb_mesh_covering_parts(const plumb_mesh* mesh, double concavity, uint32_t most_parts,
                                        int (*take)(const plumb_mesh* hull, double concavity, void* user), void* user);
+
+/* ---- assemblies ---- */
+
+/* Which parts are in each other's way: the words of plumb/world/clash.hpp, in its order. */
+typedef enum plumb_clash_kind {
+  PLUMB_CLASH_APART = 0, PLUMB_CLASH_WITHIN_CLEARANCE, PLUMB_CLASH_TOUCHING, PLUMB_CLASH_OVERLAPPING,
+  PLUMB_CLASH_PIERCING, PLUMB_CLASH_ENCLOSED, PLUMB_CLASH_DUPLICATE
+} plumb_clash_kind;
+typedef struct plumb_clash { /* does not grow; NaN for a number that there is not */
+  uint32_t a, b;             /* parts, a before b */
+  int32_t kind, inner;       /* inner: 0 where a lies in b, 1 where b lies in a, else -1 */
+  double place[3], distance, volume, depth_lower, depth_upper, direction[3]; /* a leaves along the direction */
+  const uint32_t* meeting; /* triangles of a and of b in turn, there as long as the handle */
+  size_t meeting_count;    /* pairs */
+} plumb_clash;
+typedef struct plumb_clash_pair { uint32_t a, b; double clearance; } plumb_clash_pair; /* does not grow */
+typedef struct plumb_clash_options {
+  size_t size;
+  double clearance; /* of pairs that are at most so far apart; below zero: those that meet alone */
+  int32_t measures; /* not 0: volume and depth, too */
+  const plumb_clash_pair* pairs; /* NULL: all; else these, by their own clearances */
+  size_t pair_count;
+} plumb_clash_options;
+typedef struct plumb_clashes plumb_clashes;
+/* All pairs that are not apart, ascending, of parts where their vertices stand.  Options may be NULL: those that meet,
+ * measured; so may progress. */
+plumb_status plumb_find_clashes(const plumb_mesh* const* parts, size_t count, const plumb_clash_options* options,
+                                const plumb_progress* progress, plumb_clashes** clashes);
+plumb_status plumb_clashes_of(const plumb_clashes* clashes, const plumb_clash** each, size_t* count);
+void plumb_clashes_destroy(plumb_clashes* clashes);
 
 /* ---- of the plane ---- */
 

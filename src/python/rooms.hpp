@@ -23,5 +23,6 @@ void add_topology(pybind11::module_& module);
 void add_generated(pybind11::module_& module);
 void add_fuzzing(pybind11::module_& module);
 void add_world(pybind11::module_& module);
+void add_clash(pybind11::module_& module);
 
 }  // namespace plumb::python

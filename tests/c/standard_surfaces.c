@@ -14,6 +14,9 @@ IS_LARGE(plumb_contour, 48);
 IS_LARGE(plumb_repair_step, 40);
 IS_LARGE(plumb_repair_change, 64);
 IS_LARGE(plumb_arrangement_report, 112);
+IS_LARGE(plumb_clash, 112);
+IS_LARGE(plumb_clash_pair, 16);
+IS_LARGE(plumb_clash_options, 40);
 #endif
 
 /* A cube of side 2 without its top (z = 2): its last two triangles. */
@@ -321,12 +324,77 @@ static void ask_plane(void) {
   plumb_arrangement_destroy(arrangement);
 }
 
+static plumb_mesh* closed_box(double x, double size) {
+  static const uint32_t faces[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                     2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  double corners[24];
+  plumb_mesh* mesh = NULL;
+  int i;
+  for (i = 0; i < 8; ++i) {
+    corners[3 * i] = x + (i & 1 ? size : 0);
+    corners[3 * i + 1] = i & 2 ? size : 0;
+    corners[3 * i + 2] = i & 4 ? size : 0;
+  }
+  EXPECT_STATUS(plumb_mesh_create(corners, 8, faces, 12, &mesh), PLUMB_OK);
+  return mesh;
+}
+
+static void ask_clashes(void) {
+  plumb_mesh* owned[3];
+  const plumb_mesh* parts[3];
+  const plumb_mesh* missing[1] = {NULL};
+  plumb_clashes* clashes = NULL;
+  const plumb_clash* each = NULL;
+  plumb_clash_options options = {sizeof options, 0.5, 0, NULL, 0};
+  plumb_clash_pair pair = {0, 2, 3.0};
+  size_t count = 0;
+  int i;
+  for (i = 0; i < 3; ++i) parts[i] = owned[i] = closed_box(i == 0 ? 0 : i == 1 ? 1 : 4.5, i == 1 ? 3 : 2);
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, NULL, NULL, &clashes), PLUMB_OK);
+  EXPECT_STATUS(plumb_clashes_of(clashes, &each, &count), PLUMB_OK);
+  EXPECT(count == 1 && each[0].a == 0 && each[0].b == 1 && each[0].kind == PLUMB_CLASH_OVERLAPPING);
+  EXPECT(each[0].volume == 4 && each[0].depth_lower == 1 && each[0].depth_upper == 1 && each[0].direction[0] == -1);
+  EXPECT(each[0].inner == -1 && isnan(each[0].distance) && each[0].meeting_count > 0 && each[0].meeting[0] < 12);
+  plumb_clashes_destroy(clashes);
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, &options, NULL, &clashes), PLUMB_OK);
+  EXPECT_STATUS(plumb_clashes_of(clashes, &each, &count), PLUMB_OK);
+  EXPECT(count == 2 && isnan(each[0].volume) && isnan(each[0].depth_upper) && isnan(each[0].direction[2]));
+  EXPECT(each[1].b == 2 && each[1].kind == PLUMB_CLASH_WITHIN_CLEARANCE && each[1].distance == 0.5);
+  plumb_clashes_destroy(clashes);
+  options.pairs = &pair;
+  options.pair_count = 1;
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, &options, NULL, &clashes), PLUMB_OK);
+  EXPECT_STATUS(plumb_clashes_of(clashes, &each, &count), PLUMB_OK);
+  EXPECT(count == 1 && each[0].a == 0 && each[0].b == 2 && each[0].distance == 2.5);
+  plumb_clashes_destroy(clashes);
+  plumb_clashes_destroy(NULL);
+  clashes = NULL;
+  pair.b = 3;
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, &options, NULL, &clashes), PLUMB_INVALID_ARGUMENT);
+  pair.b = 0;
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, &options, NULL, &clashes), PLUMB_INVALID_ARGUMENT);
+  options.pairs = NULL;
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, &options, NULL, &clashes), PLUMB_INVALID_ARGUMENT);
+  options.pair_count = 0;
+  options.clearance = NAN;
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, &options, NULL, &clashes), PLUMB_NON_FINITE);
+  options.size = 1;
+  EXPECT_STATUS(plumb_find_clashes(parts, 3, &options, NULL, &clashes), PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_find_clashes(missing, 1, NULL, NULL, &clashes), PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_find_clashes(NULL, 1, NULL, NULL, &clashes), PLUMB_INVALID_ARGUMENT);
+  EXPECT(clashes == NULL);
+  EXPECT_STATUS(plumb_find_clashes(NULL, 0, NULL, NULL, &clashes), PLUMB_OK);
+  plumb_clashes_destroy(clashes);
+  for (i = 0; i < 3; ++i) plumb_mesh_destroy(owned[i]);
+}
+
 int main(void) {
   ask_topology();
   ask_welding();
   ask_sections();
   ask_repair();
   ask_plane();
+  ask_clashes();
   if (failures != 0) fprintf(stderr, "%d failed\n", failures);
   return failures == 0 ? 0 : 1;
 }

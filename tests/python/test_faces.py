@@ -86,7 +86,7 @@ def test_what_python_and_c_are_said_to_have_is_there():
 
 def test_every_question_about_surfaces_has_its_row():
     asked = set()
-    for source in ("surface", "topology", "planar", "solids"):
+    for source in ("surface", "topology", "planar", "solids", "clash"):
         text = (TREE / f"src/python/{source}.cpp").read_text()
         asked |= set(re.findall(r'(?:module\.def\(|\badd\()\s*"(\w+)"', text))
     named = [name for row in table("About signs, points, boxes and meshes") for name in re.findall(r"`(\w+)`", row[0])]

@@ -65,6 +65,7 @@ __all__ = [
     "ask",
     "boundary_loops",
     "check",
+    "clash",
     "closest_points",
     "collinear",
     "compare_along_direction",
@@ -787,6 +788,11 @@ def _fuzz(
     largest: float,
     progress: Callable[[int], Any] | None,
 ) -> tuple[list[Any], list[Any], str]: ...
+
+def clash(
+    parts: dict[Any, Any] | Sequence[Any], *, clearance: float | None = None,
+    rule: Callable[[Any, Any], float | bool | None] | None = None, measure: bool = True
+) -> list[answers.Clash]: ...
 
 class CollisionWorld:
     def __init__(self, contacts: bool = False) -> None: ...

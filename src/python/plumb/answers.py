@@ -3,7 +3,7 @@
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
-__all__ = ["Arrangement", "BoundaryLoop", "ClosestPoints", "Combined", "ConvexPart", "CoplanarFace", "CoplanarFaces",
+__all__ = ["Arrangement", "BoundaryLoop", "Clash", "ClosestPoints", "Combined", "ConvexPart", "CoplanarFace", "CoplanarFaces",
            "CoveringPart", "Delaunay",
            "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
            "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
@@ -50,6 +50,21 @@ class ClosestPoints(NamedTuple):
     distance: float
     feature_a: Feature
     feature_b: Feature
+
+
+class Clash(NamedTuple):
+    """Two parts of an assembly that are in each other's way."""
+
+    a: Any  # their names
+    b: Any
+    word: str  # "within clearance", "touching", "overlapping", "piercing through", "enclosed" or "duplicate"
+    place: Any  # float64, shape (3,)
+    distance: Optional[float]  # of what is within clearance
+    inner: Any  # the name of the one that lies in the other
+    volume: Optional[float]  # in common, of two solids whose insides meet
+    depth: Optional[Tuple[float, float]]  # no shorter translation than the first frees them, one of the second does
+    direction: Any  # float64, shape (3,): the first part leaves along it
+    meeting: Any  # int32, shape (n, 2): triangles of a and of b that meet
 
 
 class Hit(NamedTuple):
