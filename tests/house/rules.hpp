@@ -37,10 +37,11 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
      {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence", "grid", "octree", "kd_tree", "sort_and_sweep",
       "broad_phase", "cells", "bsp"}},
     {"surface", {"planar", "file", "topology", "section", "repair", "parts", "solid"}},
-    {"tool", {"terminal", "drawing",   "mesh",  "rows",   "trial",     "manual",  "corpus", "boolean",  "bounds",
-              "bsp",      "bvh",       "check", "clash",  "closest",   "convert", "convex", "distance", "doctor",
-              "fuzz",     "hausdorff", "help",  "inside", "intersect", "nearest", "pairs",  "parts",    "placements",
-              "plan",     "proof",     "ray",   "repair", "replay",    "section", "sign",   "program"}},
+    {"tool",
+     {"terminal",  "drawing", "mesh",   "rows",      "trial",   "manual", "corpus", "boolean",    "bounds", "bsp",
+      "bvh",       "check",   "clash",  "closest",   "convert", "convex", "csg",    "distance",   "doctor", "fuzz",
+      "hausdorff", "help",    "inside", "intersect", "nearest", "pairs",  "parts",  "placements", "plan",   "proof",
+      "ray",       "repair",  "replay", "resolve",   "section", "sign",   "program"}},
     {"lab", {"trial", "crowd", "chart", "stability", "vectors", "program"}},
 };
 

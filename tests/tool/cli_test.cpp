@@ -153,7 +153,7 @@ TEST(Usage, SaysWhatThereIsInsteadOfWhatThereIsNot) {
                    {"decompose a.obj", "'plumb parts'"},
                    {"simulate", "'plumb pairs'"}});
   for (const auto& [words, what] : std::vector<std::pair<std::string, std::string>>{
-           {"booleans boolean-union Boolean unions difference subtract intersections csg",
+           {"booleans boolean-union Boolean unions difference subtract intersections csgs",
             "unites, intersects and subtracts"},
            {"offset thicken minkowski_sum", "meshes are not offset"},
            {"mend fix fix_normals heal clean weld fill-holes", "'plumb repair' mends meshes"},

@@ -41,6 +41,7 @@ void put_inputs(const Folder& folder) {
   std::ofstream(folder / "points.csv") << "0,0,0\n1,1,1\n0.1,0,0\n1,0,0\n";
   std::ofstream(folder / "questions.txt") << "relate | ball3 0 0 0 1 | ball3 2 0 0 1 = disjoint\n"
                                           << "distance | point3 0 0 0 | point3 3 4 0\n";
+  std::ofstream(folder / "model.csg") << "difference() { cube(3); translate([0.1, 0.1, 0.1]) import(\"cube.obj\"); }\n";
   std::ofstream(folder / "probes.txt") << "0.5 0.5 0.5\n0 0 0\n2 2 2\n";
 }
 
@@ -61,6 +62,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
       {"closest",
        {"cube.obj probes.txt", "--within 0.5 cube.obj probes.txt --point 0.1,0,0",
         "cube.obj --point 9,9,9 --within 1"}},
+      {"csg", {"model.csg -o c.obj"}},
       {"distance", {"cube.obj far.obj", "cube.obj crossing.obj"}},
       {"hausdorff",
        {"cube.obj far.obj", "--from --absolute 0.5 cube.obj crossing.obj", "--relative 0 cube.obj open.obj"}},
@@ -79,6 +81,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
        {"--dry-run cube.obj", "--dry-run --tolerance 0.1 open.obj sliver.off", "-o mended.obj open.obj",
         "--dry-run --only weld crossing.obj"}},
       {"replay", {"questions.txt", "--prove questions.txt"}},
+      {"resolve", {"cube.obj -o r.obj", "--rule odd --merge far.obj -o q.obj"}},
       {"section", {"--plane z=0.5 cube.obj", "--plane z=0 --plane x=0.1 cube.obj", "--plane 1,1,1,0.5 open.obj"}},
   };
   return all;

@@ -156,6 +156,12 @@ const std::vector<Writer> writers{
     {.name = "boolean",
      .words = {"boolean", "union", "block.obj", "small.obj", "--output", "a.obj", "--json", "a.json", "--overwrite"},
      .outputs = {"a.obj", "a.json"}},
+    {.name = "resolve",
+     .words = {"resolve", "small.obj", "--output", "a.obj", "--json", "a.json", "--overwrite"},
+     .outputs = {"a.obj", "a.json"}},
+    {.name = "csg",
+     .words = {"csg", "model.csg", "--output", "a.obj", "--json", "a.json", "--overwrite"},
+     .outputs = {"a.obj", "a.json"}},
     {.name = "parts",
      .words = {"parts", "block.obj", "--json", "a.json", "--obj", "a.obj", "--overwrite"},
      .outputs = {"a.json", "a.obj"},
@@ -220,6 +226,7 @@ void write_inputs(const std::string& folder) {
   }
   std::ofstream questions(folder + "/questions.txt");
   for (int i = 0; i < 20000; ++i) questions << "distance | point3 0 0 0 | ball3 " << i << " 0 0 1\n";
+  std::ofstream(folder + "/model.csg") << "difference() { import(\"small.obj\"); import(\"block.obj\"); }\n";
   std::ofstream(folder + "/block.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   for (const auto& [name, at, n] :
        {std::tuple("part", 0.0, 80), {"near", 0.4, 80}, {"far", 7.0, 80}, {"small", 0.0, 24}}) {

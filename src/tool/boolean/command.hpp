@@ -10,14 +10,19 @@
 // Cost: theirs, and an exact volume of each mesh.
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "plumb/surface/solid/arrangement.hpp"
 #include "plumb/surface/solid/round.hpp"
+#include "tool/mesh/asked_mesh.hpp"
 #include "tool/mesh/inputs.hpp"
+#include "tool/terminal/output_files.hpp"
 #include "tool/terminal/terminal.hpp"
 
 namespace plumb::tool {
@@ -25,19 +30,42 @@ namespace plumb::tool {
 inline constexpr std::string_view operation_names[] = {"union", "intersection", "difference", "symmetric"};
 inline constexpr std::string_view winding_rules[] = {"positive", "nonzero", "odd"};
 
-struct BooleanOptions {
-  std::string operation;              // of operation_names
-  MeshArguments meshes;               // two or more
+/// Of every command that makes a solid.
+struct SolidOptions {
   std::optional<std::string> output;  // "-" is standard output
-  std::string rule = "positive";      // of winding_rules
   std::uint32_t rounds = RoundingOptions{}.rounds;
   bool merge = false;                       // coplanar pieces, before it is rounded
   bool overwrite = false, unsound = false;  // replace a file; write what is not sound
   std::optional<std::string> json;          // "-" is standard output
   unsigned threads = 0;
-};
 
+  [[nodiscard]] Pieces pieces() const { return merge ? Pieces::of_polygons : Pieces::of_triangles; }
+};
+void add_solid_options(CLI::App* parser, SolidOptions& options);
+
+struct BooleanOptions : SolidOptions {
+  std::string operation;          // of operation_names, or "resolve" of one mesh
+  MeshArguments meshes;           // two or more
+  std::string rule = "positive";  // of winding_rules
+};
+void add_rule(CLI::App* parser, BooleanOptions& options);
+
+/// The operation "resolve" is that of `plumb resolve`.
 int run_boolean(const BooleanOptions& options);
+
+/// Throws Error where it is not said where the result of the command goes.
+void require_output(const std::string& command, const SolidOptions& options);
+/// Refuses outputs of the command that cannot be written, before anything is read.
+void promise_solid(const std::string& command, const SolidOptions& options, OutputFiles& outputs);
+/// Rounds, judges and writes what `combine` makes, tells of it in text and after what is `said` as JSON, and keeps the
+/// outputs; the exit code.  Throws as combine does.
+int conclude(const SolidOptions& options, const std::string& operation, const std::function<ExactMesh()>& combine,
+             nlohmann::json said, OutputFiles& outputs);
+
+/// "open at the edge from (0, 0, 0) to (1, 0, 0), of triangle 5", or that its triangles run against each other there.
+std::string unbalanced_text(const UnbalancedEdge& found);
+/// By `positive` what a mesh that is inside out encloses is outside, which is seldom meant.
+void complain_of_inside_out(const AskedMesh& asked, const std::string& mend);
 
 struct BooleanReport {
   std::string operation;

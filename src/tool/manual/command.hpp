@@ -43,6 +43,7 @@ Command clash_command(CLI::App& program);
 Command closest_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 Command convex_command(CLI::App& program);
+Command csg_command(CLI::App& program);
 Command distance_command(CLI::App& program);
 Command doctor_command(CLI::App& program);
 Command completion_command(CLI::App& program, const Commands& known);
@@ -61,6 +62,7 @@ Command proof_command(CLI::App& program);
 Command ray_command(CLI::App& program);
 Command repair_command(CLI::App& program);
 Command replay_command(CLI::App& program);
+Command resolve_command(CLI::App& program);
 Command section_command(CLI::App& program);
 Command sign_command(CLI::App& program);
 
