@@ -12,9 +12,7 @@
 #include "world/state.hpp"
 
 namespace plumb {
-namespace {
-
-using world::NearPair, world::Placed, world::WorldBody;
+namespace world {
 
 /// The sentences that a world is told by.
 class Complaints {
@@ -34,6 +32,12 @@ class Complaints {
   static void add(std::string& text, std::uint64_t number) { text += std::to_string(number); }
   std::vector<std::string> all_;
 };
+
+}  // namespace world
+
+namespace {
+
+using world::Complaints, world::NearPair, world::Placed, world::WorldBody;
 
 /// The six half spaces around a box, as far as doubles go.
 std::vector<Aabb3> outside_of(const Aabb3& b) {
