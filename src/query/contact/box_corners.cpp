@@ -14,22 +14,23 @@
 #define PLUMB_BOX_CORNERS_ONCE
 namespace plumb::query::touching::box_corners {
 
-/// A box, and its side that faces the other.
+/// A box, and its side that faces the other.  As it stands it is one whose pose has a weight of one and no turn.
 struct BoxSide {
-  GivenBox box;
-  bool is_aligned;
+  PosedBox box;
+  bool is_aligned;  // and stands
   std::array<Index, 4> corners;
   std::array<std::size_t, 2> along;  // the axes of its first edge and its second
 
   static std::optional<BoxSide> of(const Seen& seen, const Facing& facing) {
     if (facing.corners.size() != 4) return {};
-    const auto box = seen.core.given_box();
+    const auto box = seen.core.posed_box();
     if (!box) return {};
     const auto& f = facing.corners;
     const Index first = f[0] ^ f[1], second = f[1] ^ f[2];
     const auto is_bit = [](Index x) { return x == 1 || x == 2 || x == 4; };
     if (!is_bit(first) || !is_bit(second) || first == second || (f[2] ^ f[3]) != first) return {};
-    return BoxSide{*box, seen.core.is_aligned(), {f[0], f[1], f[2], f[3]}, {first >> 1, second >> 1}};
+    const bool is_aligned = seen.core.is_aligned() && seen.core.pose().stands();
+    return BoxSide{*box, is_aligned, {f[0], f[1], f[2], f[3]}, {first >> 1, second >> 1}};
   }
   [[nodiscard]] const Vector3& edge(std::size_t i) const { return box.axes[along[i & 1]]; }
 };
@@ -124,16 +125,53 @@ struct Coordinate {
   Many told;
   Truth is_told;
 };
-HWY_INLINE Coordinate coordinate_of(double center, double u, double v, double w, const std::array<Many, 3>& half) {
-  const Many c = of_all(center), a[3] = {of_all(u), of_all(v), of_all(w)};
-  const Twofolds at = ((c + product_of(half[0], a[0])) + product_of(half[1], a[1])) + product_of(half[2], a[2]);
-  Many told;
-  const Truth is_told = at.told(told);
-  if (all(is_told)) return {at, told, is_told};
+/// A row of the matrix, one of the axes, and the turn of the center.
+struct Row {
+  double at;
+  std::array<double, 3> matrix, axes;
+  int along;
+};
+HWY_INLINE Coordinate coordinate_of(const PosedBox& b, Row row, const One& share, const std::array<Many, 3>& ends) {
+  const bool is_turned = b.center.x != 0 || b.center.y != 0 || b.center.z != 0;
+  const bool is_divided = b.weight != 1 && row.along == 0;
+  if (b.weight != 1 && !is_divided) {  // what is not zero is the weight, or its opposite
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto unit = [](double x) { return x == 0 ? 0.0 : x > 0 ? 1.0 : -1.0; };
+      row.matrix[k] = unit(row.matrix[k]), row.axes[k] = unit(row.axes[k]);
+    }
+  }
+  const Many at = of_all(row.at);
+  const std::array<Many, 3> axis{of_all(row.axes[0]), of_all(row.axes[1]), of_all(row.axes[2])};
+  const std::array<Many, 3> center{of_all(b.center.x), of_all(b.center.y), of_all(b.center.z)};
+  const std::array<Many, 3> matrix{of_all(row.matrix[0]), of_all(row.matrix[1]), of_all(row.matrix[2])};
+  const auto tell = [](const Twofolds& x) HWY_ATTR {
+    Many told;
+    const Truth is_told = x.told(told);
+    return Coordinate{x, told, is_told};
+  };
+  if (is_divided) {
+    Twofolds sum = (product_of(ends[0], axis[0]) + product_of(ends[1], axis[1])) + product_of(ends[2], axis[2]);
+    if (is_turned) {
+      sum = sum +
+            ((product_of(center[0], matrix[0]) + product_of(center[1], matrix[1])) + product_of(center[2], matrix[2]));
+    }
+    return tell(at + sum * of_all(share));
+  }
+  Twofolds sum = ((at + product_of(ends[0], axis[0])) + product_of(ends[1], axis[1])) + product_of(ends[2], axis[2]);
+  if (is_turned) {
+    sum = sum +
+          ((product_of(center[0], matrix[0]) + product_of(center[1], matrix[1])) + product_of(center[2], matrix[2]));
+  }
+  const Coordinate quick = tell(sum);
+  if (all(quick.is_told)) return quick;
   const auto product = [](const Many& p, const Many& q) HWY_ATTR { return Balls::exact(p) * Balls::exact(q); };
-  const Balls sum = ((Balls::exact(c) + product(half[0], a[0])) + product(half[1], a[1])) + product(half[2], a[2]);
-  const Truth is_exact = sum.is_exact();
-  return {at, chosen(is_exact, sum.high, told), is_exact | is_told};
+  Balls exact =
+      ((Balls::exact(at) + product(ends[0], axis[0])) + product(ends[1], axis[1])) + product(ends[2], axis[2]);
+  if (is_turned) {
+    exact = exact + ((product(center[0], matrix[0]) + product(center[1], matrix[1])) + product(center[2], matrix[2]));
+  }
+  const Truth is_exact = exact.is_exact();
+  return {sum, chosen(is_exact, exact.high, quick.told), is_exact | quick.is_told};
 }
 HWY_INLINE void corners_of(const BoxSide& s, Corners4& to) {
   const auto bit = [&](std::size_t k, std::size_t i) HWY_ATTR { return (s.corners[i] >> k & 1) != 0; };
@@ -149,9 +187,13 @@ HWY_INLINE void corners_of(const BoxSide& s, Corners4& to) {
     return;
   }
   const auto& [u, v, w] = s.box.axes;
-  const Coordinate x = coordinate_of(s.box.middle[0].to, u.x, v.x, w.x, part),
-                   y = coordinate_of(s.box.middle[1].to, u.y, v.y, w.y, part),
-                   z = coordinate_of(s.box.middle[2].to, u.z, v.z, w.z, part);
+  const auto& [c, d, e] = s.box.columns;
+  const One share = s.box.weight == 1 ? One(1.0) : quotient(One(1.0), One(s.box.weight));
+  const Vector3& from = s.box.at;
+  const auto& is = s.box.along;
+  const Coordinate x = coordinate_of(s.box, {from.x, {c.x, d.x, e.x}, {u.x, v.x, w.x}, is[0]}, share, part),
+                   y = coordinate_of(s.box, {from.y, {c.y, d.y, e.y}, {u.y, v.y, w.y}, is[1]}, share, part),
+                   z = coordinate_of(s.box, {from.z, {c.z, d.z, e.z}, {u.z, v.z, w.z}, is[2]}, share, part);
   to.at = {x.at, y.at, z.at};
   store(x.told, to.told.x), store(y.told, to.told.y), store(z.told, to.told.z);
   to.told.are_told =

@@ -24,7 +24,39 @@ struct FacingSide {
   friend bool operator==(const FacingSide&, const FacingSide&) = default;
 };
 
-struct FacingSides {
+/// From the middle of a side of the first box to that of one of the second.
+template <class W, class Axes, class Lengths>
+auto way_between(W& w, const std::array<GivenBox, 2>& box, const Axes& axes, const Lengths& length,
+                 const std::array<FacingSide, 2>& side) {
+  const auto one = w.template number<1>(1);
+  const auto center_of = [&](std::size_t i) {
+    const FacingSide& s = side[i];
+    const auto up = axes[i][s.axis];
+    const auto& l = length[i][s.axis];
+    const auto along = [&](std::size_t k, const auto& x) {
+      const auto middle = w.difference(box[i].middle[k].to, box[i].middle[k].from);
+      return s.upper ? middle * one + l * x : middle * one - l * x;
+    };
+    return parting::vec_of(along(0, up.x), along(1, up.y), along(2, up.z));
+  };
+  const auto p = center_of(0), q = center_of(1);
+  return parting::vec_of(q.x - p.x, q.y - p.y, q.z - p.z);
+}
+template <class W, class Axes, class Lengths>
+auto way_between(W& w, const std::array<PosedBox, 2>& box, const Axes& axes, const Lengths& length,
+                 const std::array<FacingSide, 2>& side) {
+  const auto way = parting::middle_difference(w, box[1], box[0]);
+  const auto &p = axes[0][side[0].axis], &q = axes[1][side[1].axis];
+  const auto &of_p = length[0][side[0].axis], &of_q = length[1][side[1].axis];
+  const auto part = [&](const auto& x, const auto& u, const auto& v) {
+    const auto to = side[1].upper ? x + of_q * v : x - of_q * v;
+    return side[0].upper ? to - of_p * u : to + of_p * u;
+  };
+  return parting::vec_of(part(way.x, p.x, q.x), part(way.y, p.y, q.y), part(way.z, p.z, q.z));
+}
+
+template <class Box>
+struct FacingSidesOf {
   static constexpr Scales scales{.count = 2, .maxima = 3};  // lengths; axes
   static constexpr int highest = 12;
 
@@ -42,25 +74,20 @@ struct FacingSides {
   /// The direction from the first box to the second is u x v.  `guess(alongs, squares)`: of the three sides by n . d and
   /// n . n the one that faces the other box; it may be any.
   template <class W, class Guess>
-  Told operator()(W& w, const std::array<GivenBox, 2>& box, const std::array<Level, 2>& level, const Vector3& u,
+  Told operator()(W& w, const std::array<Box, 2>& box, const std::array<Level, 2>& level, const Vector3& u,
                   const Vector3& v, const Guess& guess) const {
     using parting::vec_of, parting::tracked_cross, parting::tracked_dot;
     const auto numbers = [&](const Vector3& x) {
       return vec_of(w.template number<1>(x.x), w.template number<1>(x.y), w.template number<1>(x.z));
     };
-    const auto one = w.template number<1>(1);
     const auto out = tracked_cross(numbers(u), numbers(v));
     const auto of_box = [&](std::size_t i, auto f) { return std::array{f(box[i], 0), f(box[i], 1), f(box[i], 2)}; };
-    const auto axes_of = [&](const GivenBox& b, std::size_t k) { return numbers(b.axes[k]); };
-    const auto length_of = [&](const GivenBox& b, std::size_t k) {
-      return w.difference(b.length[k].to, b.length[k].from);
-    };
-    const auto middle_of = [&](const GivenBox& b, std::size_t k) {
-      return w.difference(b.middle[k].to, b.middle[k].from);
+    const auto axes_of = [&](const Box& b, std::size_t k) { return numbers(b.axes[k]); };
+    const auto length_of = [&](const Box& b, std::size_t k) {
+      return parting::length_beside(w, b.length[k], box[&b == box.data() ? 1 : 0]);
     };
     const std::array axes{of_box(0, axes_of), of_box(1, axes_of)};
     const std::array length{of_box(0, length_of), of_box(1, length_of)};
-    const std::array middle{of_box(0, middle_of), of_box(1, middle_of)};
 
     Told told;
     const auto width_of = [&](std::size_t i) {
@@ -85,17 +112,7 @@ struct FacingSides {
     const std::array width{width_of(0), width_of(1)};
     if (!told.is_told || !w.certain()) return told;
 
-    const auto center_of = [&](std::size_t i) {
-      const FacingSide& s = told.side[i];
-      const auto up = axes[i][s.axis];
-      const auto& l = length[i][s.axis];
-      const auto along = [&](std::size_t k, const auto& x) {
-        return s.upper ? middle[i][k] * one + l * x : middle[i][k] * one - l * x;
-      };
-      return vec_of(along(0, up.x), along(1, up.y), along(2, up.z));
-    };
-    const auto p = center_of(0), q = center_of(1);
-    const auto between = vec_of(q.x - p.x, q.y - p.y, q.z - p.z);
+    const auto between = way_between(w, box, axes, length, told.side);
     for (std::size_t i = 0; i < 2; ++i) {
       const FacingSide &s = told.side[i], &t = told.side[1 - i];
       const std::size_t of_t[2] = {(t.axis + 1) % 3, (t.axis + 2) % 3};
@@ -121,5 +138,6 @@ struct FacingSides {
     return told;
   }
 };
+using FacingSides = FacingSidesOf<GivenBox>;
 
 }  // namespace plumb::query::touching

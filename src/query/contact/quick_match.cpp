@@ -1,6 +1,7 @@
 #include "query/contact/quick_match.hpp"
 
 #include "query/contact/facing_sides.hpp"
+#include "query/penetration/two_boxes.hpp"
 
 namespace plumb::query::touching {
 namespace {
@@ -28,30 +29,42 @@ Facing facing_of(const Seen& seen, const FacingSide& side) {
   return f;
 }
 
-}  // namespace
-
-bool match_boxes(const Pair& pair, Matched& m) {
+/// Are they told?
+template <class Box>
+bool match_such(const Pair& pair, Matched& m) {
   const Difference d = pair.difference();
   const auto spanned = pair.way().spanned_by();
-  if (!spanned || m.seen[0].level == nullptr || m.seen[1].level == nullptr) return false;
-  const auto a = d.a.given_box(), b = d.b.given_box();
-  if (!a || !b) return false;
+  if (!spanned) return false;
+  const auto a = parting::box_of<Box>(d.a);
+  if (!a) return false;
+  const auto b = parting::box_of<Box>(d.b);
+  if (!b) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!d.a.has_length(k) || !d.b.has_length(k)) return false;
   }
-  const auto level = [&](std::size_t i) { return FacingSides::Level{m.seen[i].level->first, m.seen[i].level->free}; };
+  using Sides = FacingSidesOf<Box>;
+  const auto level = [&](std::size_t i) {
+    return typename Sides::Level{m.seen[i].level->first, m.seen[i].level->free};
+  };
   const auto guess = [&](std::size_t i, const auto& along, const auto& square) {
     return guessed_side(*m.seen[i].level, along, square);
   };
-  FloatWorld<FacingSides> world;
+  FloatWorld<Sides> world;
   // The way leads from b to a.
-  const FacingSides::Told told =
-      FacingSides{}(world, {*a, *b}, {level(0), level(1)}, (*spanned)[1], (*spanned)[0], guess);
+  const auto told = Sides{}(world, {*a, *b}, {level(0), level(1)}, (*spanned)[1], (*spanned)[0], guess);
   if (!told.is_told || !world.certain()) return false;
   for (std::size_t i = 0; i < 2; ++i) m.facing[i] = facing_of(m.seen[i], told.side[i]);
-  m.corners =
-      found_corners({m.seen[0], m.facing[0]}, {m.seen[1], m.facing[1]}, Sides(told.sign[0]), Sides(told.sign[1]));
+  m.corners = found_corners({m.seen[0], m.facing[0]}, {m.seen[1], m.facing[1]}, touching::Sides(told.sign[0]),
+                            touching::Sides(told.sign[1]));
   return true;
+}
+
+}  // namespace
+
+bool match_boxes(const Pair& pair, Matched& m) {
+  if (m.seen[0].level == nullptr || m.seen[1].level == nullptr) return false;
+  const Difference d = pair.difference();
+  return d.a.stands() && d.b.stands() ? match_such<GivenBox>(pair, m) : match_such<PosedBox>(pair, m);
 }
 
 }  // namespace plumb::query::touching

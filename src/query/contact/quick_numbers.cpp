@@ -18,6 +18,17 @@ std::optional<Ball> by_integers(const Of& of) {
   return leading;
 }
 
+/// Under poses integers are so many times the bodies' own numbers; one without them.  Nothing where the normal is so as well.
+std::optional<Ball> weights_of(const Pair& p) {
+  if (!p.difference().a.has_scale()) return Ball(1.0);
+  if (!p.way().spanned_by()) return {};
+  return arith::leading_digits(p.difference().a.scale<StackDyadic>());
+}
+Ball unweighted(const Ball& x, const Ball& weights) {
+  const bool is_one = weights.high == 1 && weights.low == 0 && weights.radius == 0;
+  return is_one || certainly_zero(x) ? x : quotient(x, weights);
+}
+
 /// What a ball knows; its error is that many times 2^-106 of its size.
 parting::FusedPair pair_of(const Ball& x) {
   using T = parting::FusedPair;
@@ -82,7 +93,8 @@ PLUMB_WITH_FMA void corners_fused(const ToldByPairs& by_pairs, const Pair& p, co
   bool is_asked = false;
   for (std::size_t i = 0; i < m.corners.size(); ++i) is_asked = is_asked || to.lacks_gap(i);
   if (!is_asked) return false;
-  if (pair.difference().a.has_scale()) return false;  // times the weights of poses it is another number
+  const auto weights = weights_of(pair);
+  if (!weights) return false;
   StackDyadic::clear_range();
   const View<StackDyadic> a(m.seen[0], m.facing[0]), b(m.seen[1], m.facing[1]);
   const CornerPlaces<StackDyadic> places(a, b, pair.normal<StackDyadic>());
@@ -97,7 +109,7 @@ PLUMB_WITH_FMA void corners_fused(const ToldByPairs& by_pairs, const Pair& p, co
       return gap.height;
     });
     if (!height) return is_known;
-    to.gap.begin()[i] = Gap<Ball>{*height, *whole};
+    to.gap.begin()[i] = Gap<Ball>{unweighted(*height, *weights), *whole};
     is_known = true;
   }
   return is_known;
@@ -123,8 +135,10 @@ std::optional<Whole> QuickNumbers::whole() const {
   const auto known = [&] { return height ? &*height : nullptr; };
   const auto by_pairs = [&] { return has_fma ? whole_fused(pair_, by_pairs_, open, known()) : std::nullopt; };
   if (const auto told = by_pairs()) return told;
-  if (open == Open::distance && !pair_.difference().a.has_scale()) {  // else it is times the weights of poses
-    height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); });
+  if (open == Open::distance) {
+    const auto weights = weights_of(pair_);
+    if (weights) height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); });
+    if (height) height = unweighted(*height, *weights);
   }
   std::optional<Whole> told = height ? by_pairs() : std::nullopt;
   if (!told) told = whole_by_balls(pair_, open, known());

@@ -2,7 +2,8 @@
 // statement over any world of numbers.
 //
 // Along n = u x v, of two of the six axes, the boxes reach sum s |n . w| over the other four, s the lengths; c is the
-// way between their middles, everything times two: they overlap by that less |n . c|, over |n|.
+// way between their middles, everything times two: they overlap by that less |n . c|, over |n|.  Of boxes under poses everything
+// is times both weights as well.
 // Laws: an axis that is left out is farther, for certain; of boxes that are apart one is farther that has a narrower gap.
 // A sign that is not certain is told as zero; over exact numbers all are certain.
 // Source: RTCD 4.4.1; Gottschalk, Lin and Manocha 1996.
@@ -35,10 +36,62 @@ auto tracked_dot(const Vec<S>& u, const Vec<T>& v) {
   return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 
+/// The length of an edge of a box beside another: under poses everything is times both weights.
+template <class W>
+auto length_beside(W& w, const GivenBox::Ends& e, const GivenBox&) {
+  return w.difference(e.to, e.from);
+}
+template <class W>
+auto length_beside(W& w, const GivenBox::Ends& e, const PosedBox& beside) {
+  return w.difference(e.to, e.from) * w.template number<1>(beside.weight);
+}
+/// Twice the middle of p less that of q.
+template <class W>
+auto middle_difference(W& w, const GivenBox& p, const GivenBox& q) {
+  const auto one = w.template number<1>(1);
+  const auto part = [&](std::size_t k) {
+    return (w.difference(p.middle[k].to, p.middle[k].from) - w.difference(q.middle[k].to, q.middle[k].from)) * one;
+  };
+  return vec_of(part(0), part(1), part(2));
+}
+template <class W>
+auto middle_difference(W& w, const PosedBox& p, const PosedBox& q) {
+  const auto of_p = w.template number<1>(p.weight), of_q = w.template number<1>(q.weight);
+  const auto turned = [&](const PosedBox& b) {
+    const auto ends = [&](std::size_t k) { return w.difference(b.local[k].to, b.local[k].from); };
+    const auto x = ends(0), y = ends(1), z = ends(2);
+    const auto row = [&](double u, double v, double t) {
+      return w.template number<1>(u) * x + w.template number<1>(v) * y + w.template number<1>(t) * z;
+    };
+    const auto& [u, v, t] = b.columns;
+    return vec_of(row(u.x, v.x, t.x), row(u.y, v.y, t.y), row(u.z, v.z, t.z));
+  };
+  const auto first = turned(p), second = turned(q);
+  const auto part = [&](double to, double from, const auto& x, const auto& y) {
+    const auto way = w.difference(to, from) * of_p;
+    return (way + way) * of_q + (x * of_q - y * of_p);
+  };
+  return vec_of(part(p.at.x, q.at.x, first.x, second.x), part(p.at.y, q.at.y, first.y, second.y),
+                part(p.at.z, q.at.z, first.z, second.z));
+}
+
+/// How far boxes overlap, and as a guess its square with its sign.
+template <class T>
+struct OfOverlap {
+  T overlap;
+  double value;
+};
+/// x |x|, which rises with x.
+inline Interval signed_square(const Interval& x) {
+  const auto of = [](double e) { return Interval(e) * Interval(magnitude_of(e)); };
+  return {of(x.lower).lower, of(x.upper).upper};
+}
+
 /// Axes 0 to 2 are those of the first box, 3 to 5 of the second.
-struct NearAxes {
-  static constexpr Scales scales{.count = 2, .maxima = 3};  // lengths; axes
-  static constexpr int highest = 12;
+template <class Box>
+struct NearAxesOf {
+  static constexpr Scales scales{.count = 2, .maxima = 3};  // lengths; axes and weights
+  static constexpr int highest = std::same_as<Box, PosedBox> ? 6 : 12;
 
   using Pair = std::array<std::uint32_t, 2>;  // whose cross product the axis is along
   struct Told {
@@ -63,33 +116,35 @@ struct NearAxes {
   /// Among these, up to fifteen, `pick(overlaps, lengths)` guesses the least, by the overlaps' squares with their sign and
   /// the squares of the normals' lengths, optional numbers all; it may be any.
   template <class W, class Pick>
-  Told operator()(W& w, const GivenBox& a, const GivenBox& b, std::span<const Pair> pairs, const Pick& pick) const {
+  Told operator()(W& w, const Box& a, const Box& b, std::span<const Pair> pairs, const Pick& pick) const {
     const auto axis = [&](std::size_t k) {
       const Vector3& v = (k < 3 ? a : b).axes[k % 3];
       return vec_of(w.template number<1>(v.x), w.template number<1>(v.y), w.template number<1>(v.z));
     };
     const std::array g{axis(0), axis(1), axis(2), axis(3), axis(4), axis(5)};
     const auto length = [&](std::size_t k) {
-      const GivenBox::Ends& e = (k < 3 ? a : b).length[k % 3];
-      return w.difference(e.to, e.from);
+      return k < 3 ? length_beside(w, a.length[k], b) : length_beside(w, b.length[k - 3], a);
     };
     const std::array s{length(0), length(1), length(2), length(3), length(4), length(5)};
-    const auto one = w.template number<1>(1);
-    const auto middle = [&](std::size_t k) {
-      const GivenBox::Ends &p = a.middle[k], &q = b.middle[k];
-      return (w.difference(p.to, p.from) - w.difference(q.to, q.from)) * one;
-    };
-    const auto c = vec_of(middle(0), middle(1), middle(2));
+    const auto c = middle_difference(w, a, b);
     const auto overlap_along = [&](const Pair& of, const auto& n, const auto& m) {
       const std::array<std::uint8_t, 4>& other = others[6 * of[0] + of[1]];
       const auto reach = [&](std::size_t k) { return magnitude(tracked_dot(n, g[other[k]])) * s[other[k]]; };
       return ((reach(0) + reach(1)) + (reach(2) + reach(3))) - magnitude(m);
     };
     const auto normal = [&](const Pair& of) { return tracked_cross(g[of[0]], g[of[1]]); };
+    // Squares of numbers under poses would be too large: these are compared by what they lie between.
+    constexpr bool by_ends = std::same_as<Box, PosedBox> && requires {
+      { w.lower(c.x) } -> std::same_as<double>;
+    };
     const auto square_along = [&](const Pair& of) {
       const auto n = normal(of);
       const auto overlap = overlap_along(of, n, tracked_dot(n, c));
-      return overlap * magnitude(overlap);
+      if constexpr (by_ends) {
+        return OfOverlap<std::remove_cvref_t<decltype(overlap)>>{overlap, overlap.value * magnitude_of(overlap.value)};
+      } else {
+        return overlap * magnitude(overlap);
+      }
     };
     const auto length_of = [&](const Pair& of) {
       const auto n = normal(of);
@@ -111,10 +166,21 @@ struct NearAxes {
     told.picked = pick(std::span(square).first(pairs.size()), std::span(length_square).first(pairs.size()));
     const auto& least = *square[told.picked];
     const auto& of_least = *length_square[told.picked];
-    for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-      const bool is_farther =
-          i != told.picked && sign(*square[i] * of_least - least * *length_square[i]) == Sign::positive;
-      told.near |= is_farther ? 0U : 1U << i;
+    if constexpr (by_ends) {
+      const auto ends = [&](const auto& x) { return Interval(w.lower(x), w.upper(x)); };
+      const Interval square_of_least = signed_square(ends(least.overlap)), length_of_least = ends(of_least);
+      for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+        const Interval more =
+            signed_square(ends(square[i]->overlap)) * length_of_least - square_of_least * ends(*length_square[i]);
+        const bool is_farther = i != told.picked && more.sign() == Unsure{Sign::positive};
+        told.near |= is_farther ? 0U : 1U << i;
+      }
+    } else {
+      for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+        const bool is_farther =
+            i != told.picked && sign(*square[i] * of_least - least * *length_square[i]) == Sign::positive;
+        told.near |= is_farther ? 0U : 1U << i;
+      }
     }
     const auto n = normal(pairs[told.picked]);
     const auto m = tracked_dot(n, c);
@@ -124,7 +190,7 @@ struct NearAxes {
     }
     // Squares are off by as much as the scales' are, however small they are themselves: where that leaves several, the
     // overlaps are compared by what they lie between; but not along what may be the same axis.
-    if constexpr (requires {
+    if constexpr (!by_ends && requires {
                     { w.lower(of_least) } -> std::same_as<double>;
                   }) {
       const auto between = [&](const auto& x) { return Interval(w.lower(x), w.upper(x)); };
@@ -151,5 +217,6 @@ struct NearAxes {
     return told;
   }
 };
+using NearAxes = NearAxesOf<GivenBox>;
 
 }  // namespace plumb::query::parting

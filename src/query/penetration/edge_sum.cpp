@@ -46,18 +46,19 @@ EdgeSum::EdgeSum(const Difference& d) : of_(d) {
 }
 
 void EdgeSum::add(std::uint32_t body, const CoreCorners& c, std::uint32_t bit) {
-  const auto along = c.axis_of_edge(bit);
+  const auto in_space = c.axis_in_space(bit), along = in_space ? in_space : c.axis_of_edge(bit);
+  const AnyPoseView pose = in_space ? AnyPoseView() : c.pose();
   if (along && *along == Vector3{}) return;
   const std::optional<int> axis = along ? coordinate_axis(*along) : std::nullopt;
   for (std::uint32_t g = 0; g < groups_ && along; ++g) {
     if (!along_[g]) continue;
-    if (const int way = alike(*along_[g], *along, axis); way != 0 && turns_alike(pose_[g], c.pose())) {
+    if (const int way = alike(*along_[g], *along, axis); way != 0 && turns_alike(pose_[g], pose)) {
       edges_[size_++] = {body, bit, g, way < 0};
       return;
     }
   }
   const auto g = static_cast<std::uint32_t>(groups_++);
-  along_[g] = along, pose_[g] = c.pose();
+  along_[g] = along, pose_[g] = pose;
   if (c.stands()) axis_[g] = axis;
   edges_[size_++] = {body, bit, g, false};
 }

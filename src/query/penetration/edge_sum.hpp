@@ -1,8 +1,8 @@
 // Zonotope: which edges is the Minkowski difference of two boxes, rectangles, segments or points a sum of, and which of
 // them are parallel by what is given?
 //
-// Laws: edges that one axis is given for, or whose opposite is, and those along one axis of space, are one group: under
-// one pose, without arithmetic.  Edges without a length are in none.  Others may be parallel, too.
+// Laws: edges that one axis is given for, or whose opposite is, and those along one axis of space, are one group: as a pose of
+// doubles turns them, else under one pose, without arithmetic.  Edges without a length are in none.  Others may be parallel, too.
 // Source: RTCD 4.4.1, 5.2.1.
 // Cost: comparisons.
 #pragma once
@@ -50,7 +50,7 @@ class EdgeSum {
   }
   /// The axis of space that a group is along, unless it is along none by what is given.
   [[nodiscard]] std::optional<int> axis(std::size_t group) const { return axis_[group]; }
-  /// Which way the first edge of a group leads before its pose, by what is given, but for its length.
+  /// Which way the first edge of a group leads by what is given, but for its length: in space, else before its pose.
   [[nodiscard]] const std::optional<Vector3>& along(std::size_t group) const { return along_[group]; }
   /// Of one body: does it have all its edges, each in a group of its own?
   [[nodiscard]] bool has_its_own(std::uint32_t body) const;

@@ -19,19 +19,43 @@ namespace {
 using namespace many_vectors::HWY_NAMESPACE;  // NOLINT: all of it is of this text
 
 /// The same number stands in all lanes.
-struct GivenBoxes {
+struct BoxNumbers {
   std::array<Space<Many>, 6> axis;
   std::array<Twofolds, 6> length;
   Space<Twofolds> middle;
 };
 HWY_INLINE Twofolds length_of(const GivenBox::Ends& e) { return Twofolds::difference(of_all(e.to), of_all(e.from)); }
-HWY_INLINE GivenBoxes given(const GivenBox& a, const GivenBox& b) {
+HWY_INLINE BoxNumbers numbers_of(const GivenBox& a, const GivenBox& b) {
   const auto middle = [&](std::size_t k) HWY_ATTR { return length_of(a.middle[k]) - length_of(b.middle[k]); };
   return {{all_of(a.axes[0]), all_of(a.axes[1]), all_of(a.axes[2]), all_of(b.axes[0]), all_of(b.axes[1]),
            all_of(b.axes[2])},
           {length_of(a.length[0]), length_of(a.length[1]), length_of(a.length[2]), length_of(b.length[0]),
            length_of(b.length[1]), length_of(b.length[2])},
           {middle(0), middle(1), middle(2)}};
+}
+/// Times both weights.
+HWY_INLINE BoxNumbers numbers_of(const PosedBox& a, const PosedBox& b) {
+  const Many of_a = of_all(a.weight), of_b = of_all(b.weight);
+  const auto turned = [&](const PosedBox& p, const Many& beside) HWY_ATTR {
+    const Twofolds x = length_of(p.local[0]), y = length_of(p.local[1]), z = length_of(p.local[2]);
+    const auto row = [&](double u, double v, double t)
+                         HWY_ATTR { return ((x * of_all(u) + y * of_all(v)) + z * of_all(t)) * beside; };
+    const auto& [u, v, t] = p.columns;
+    return Space<Twofolds>{row(u.x, v.x, t.x), row(u.y, v.y, t.y), row(u.z, v.z, t.z)};
+  };
+  const Space<Twofolds> first = turned(a, of_b), second = turned(b, of_a);
+  const auto way = [&](double to, double from) HWY_ATTR {
+    const Twofolds x = length_of({from, to});
+    return (x + x) * of_a * of_b;
+  };
+  const auto length = [&](const PosedBox& p, std::size_t k, const Many& beside)
+                          HWY_ATTR { return length_of(p.length[k]) * beside; };
+  return {{all_of(a.axes[0]), all_of(a.axes[1]), all_of(a.axes[2]), all_of(b.axes[0]), all_of(b.axes[1]),
+           all_of(b.axes[2])},
+          {length(a, 0, of_b), length(a, 1, of_b), length(a, 2, of_b), length(b, 0, of_a), length(b, 1, of_a),
+           length(b, 2, of_a)},
+          {way(a.at.x, b.at.x) + (first.x - second.x), way(a.at.y, b.at.y) + (first.y - second.y),
+           way(a.at.z, b.at.z) + (first.z - second.z)}};
 }
 
 HWY_INLINE Twofolds magnitude_of_each(const Twofolds& x) {
@@ -56,7 +80,7 @@ struct Axes4 {
   std::array<SignBits, 6> along;
 };
 /// Of what an axis is at right angles to, nothing leads along it: that may be added as well.
-HWY_INLINE Axes4 along_normals(const GivenBoxes& g, const Space<Many>& u, const Space<Many>& v) {
+HWY_INLINE Axes4 along_normals(const BoxNumbers& g, const Space<Many>& u, const Space<Many>& v) {
   const Space<Twofolds> n = cross_of(u, v);
   const std::array<Twofolds, 6> lead{dot_of(n, g.axis[0]), dot_of(n, g.axis[1]), dot_of(n, g.axis[2]),
                                      dot_of(n, g.axis[3]), dot_of(n, g.axis[4]), dot_of(n, g.axis[5])};
@@ -70,7 +94,8 @@ HWY_INLINE Axes4 along_normals(const GivenBoxes& g, const Space<Many>& u, const 
            signs_of_each(lead[4]), signs_of_each(lead[5])}};
 }
 
-HWY_INLINE Space<Many> axes_at(const GivenBox& a, const GivenBox& b, const std::array<std::uint32_t, 4>& k) {
+template <class Box>
+HWY_INLINE Space<Many> axes_at(const Box& a, const Box& b, const std::array<std::uint32_t, 4>& k) {
   Four x, y, z;
   for (std::size_t lane = 0; lane < 4; ++lane) {
     const Vector3& v = (k[lane] < 3 ? a : b).axes[k[lane] % 3];
@@ -100,8 +125,9 @@ HWY_INLINE std::uint32_t guessed_least(std::span<const Axes4> all, std::size_t s
   return least;
 }
 
-[[maybe_unused]] NearAxisSigns signs(const GivenBox& a, const GivenBox& b, std::span<const NearAxes::Pair> pairs) {
-  const GivenBoxes g = given(a, b);
+template <class Box>
+[[maybe_unused]] NearAxisSigns signs(const Box& a, const Box& b, std::span<const NearAxes::Pair> pairs) {
+  const BoxNumbers g = numbers_of(a, b);
   std::array<Axes4, 4> fours;
   const auto all = std::span(fours).first((pairs.size() + 3) / 4);
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -134,7 +160,10 @@ HWY_INLINE std::uint32_t guessed_least(std::span<const Axes4> all, std::size_t s
 
 #else
 
-[[maybe_unused]] NearAxisSigns signs(const GivenBox&, const GivenBox&, std::span<const NearAxes::Pair>) { return {}; }
+template <class Box>
+[[maybe_unused]] NearAxisSigns signs(const Box&, const Box&, std::span<const NearAxes::Pair>) {
+  return {};
+}
 
 #endif
 
@@ -146,6 +175,9 @@ HWY_AFTER_NAMESPACE();
 namespace plumb::query::parting {
 
 NearAxisSigns near_axis_signs(const GivenBox& a, const GivenBox& b, std::span<const NearAxes::Pair> pairs) {
+  return PLUMB_BY_LANES(near_axes, signs(a, b, pairs));
+}
+NearAxisSigns near_axis_signs(const PosedBox& a, const PosedBox& b, std::span<const NearAxes::Pair> pairs) {
   return PLUMB_BY_LANES(near_axes, signs(a, b, pairs));
 }
 

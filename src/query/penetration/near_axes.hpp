@@ -21,5 +21,6 @@ struct NearAxisSigns {
 
 /// Sixteen at most, one at least.
 NearAxisSigns near_axis_signs(const GivenBox& a, const GivenBox& b, std::span<const NearAxes::Pair> pairs);
+NearAxisSigns near_axis_signs(const PosedBox& a, const PosedBox& b, std::span<const NearAxes::Pair> pairs);
 
 }  // namespace plumb::query::parting

@@ -97,6 +97,12 @@ class Axes {
 
   [[nodiscard]] const EdgeSum& sum() const { return sum_; }
   [[nodiscard]] bool stand() const { return sum_.difference().a.stands() && sum_.difference().b.stands(); }
+  /// Is it known of all edges which way they lead in space?
+  [[nodiscard]] bool are_given() const {
+    return std::ranges::all_of(sum_.edges(), [&](const SumEdge& e) {
+      return (e.body == 0 ? sum_.difference().a : sum_.difference().b).axis_in_space(e.bit).has_value();
+    });
+  }
 
   /// Nothing where such pairs leave it open, as they leave zero.
   std::optional<Sign> quick_sign(const AxisQuestion& q) {
@@ -131,7 +137,7 @@ class Axes {
 };
 
 /// Of sums as they stand, whose groups lead one way each: what they overlap by along an axis of space, times two.
-Ball overlap_along(const EdgeSum& sum, int axis) {
+std::optional<Ball> overlap_along(const EdgeSum& sum, int axis) {
   const Difference& d = sum.difference();
   const auto middle = [&](const CoreCorners& c) { return along_axis(c.twice_middle<Ball>(), axis); };
   Ball overlap = Ball(0.0) - magnitude(middle(d.a) - middle(d.b));
@@ -142,6 +148,28 @@ Ball overlap_along(const EdgeSum& sum, int axis) {
     if (!certainly_zero(length)) overlap = overlap + length;
   }
   return overlap;
+}
+
+/// The same of boxes under poses, where that axis is one of each body's: their weights have no part in it.
+std::optional<Ball> posed_overlap_along(const EdgeSum& sum, int axis) {
+  const auto k = static_cast<std::size_t>(axis);
+  std::array middle{Ball(0.0), Ball(0.0)};
+  Ball reach(0.0);
+  for (std::size_t body = 0; body < 2; ++body) {
+    const auto b = (body == 0 ? sum.difference().a : sum.difference().b).posed_box();
+    if (!b || b->along[k] == 0) return {};
+    const auto of = static_cast<std::size_t>(std::abs(b->along[k]) - 1);
+    const double at = along_axis(arith::vec<double>(b->at), axis);
+    const Ball local = Ball(b->local[of].to) - Ball(b->local[of].from);
+    middle[body] = (Ball(at) + Ball(at)) + (b->along[k] > 0 ? local : Ball(0.0) - local);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double part = along_axis(arith::vec<double>(b->axes[i]), axis);
+      if (part == 0) continue;
+      if (part != b->weight && part != -b->weight) return {};
+      reach = reach + magnitude(Ball(b->length[i].to) - Ball(b->length[i].from));
+    }
+  }
+  return reach - magnitude(middle[0] - middle[1]);
 }
 
 std::optional<Sign> certain(const Unsure<Sign>& s) {
@@ -160,7 +188,7 @@ struct Signs {
 std::optional<Signs> signs_of(std::uint32_t normal, const std::array<std::uint32_t, 2>& of, const RoughSigns& rough,
                               std::optional<AlongAxis> along_space, Axes& axes) {
   const EdgeSum& sum = axes.sum();
-  if (!axes.stand()) along_space.reset();
+  if (along_space && !axes.are_given()) along_space.reset();
   const auto fine = [&]() -> const Axis<Ball>& { return axes(normal, of[0], of[1]); };
   const auto sign = [&](const std::optional<Sign>& known, Asked asked, std::uint32_t k, const auto& by_balls) {
     if (known) return known;
@@ -168,7 +196,11 @@ std::optional<Signs> signs_of(std::uint32_t normal, const std::array<std::uint32
     return s ? s : certain(by_balls().sign());
   };
   auto of_overlap = rough.overlap;
-  if (!of_overlap && along_space) of_overlap = certain(overlap_along(sum, along_space->axis).sign());
+  if (!of_overlap && along_space) {
+    const auto overlap =
+        axes.stand() ? overlap_along(sum, along_space->axis) : posed_overlap_along(sum, along_space->axis);
+    if (overlap) of_overlap = certain(overlap->sign());
+  }
   if (!of_overlap) of_overlap = sign({}, Asked::overlap, 0, [&]() -> const Ball& { return fine().overlap; });
   const auto of_middle = sign(rough.middle, Asked::middle, 0, [&]() -> const Ball& { return fine().middle; });
   if (!of_overlap || !of_middle || *of_middle == Sign::zero) return {};
@@ -317,7 +349,7 @@ SumParting told_of(const EdgeSum& sum, const Least& least) {
   const SumEdge &p = sum.first_of(signs.of[0]), &q = sum.first_of(signs.of[1]);
   const auto axis = [&](const SumEdge& e) -> std::optional<Vector3> {
     const CoreCorners& c = e.body == 0 ? d.a : d.b;
-    return c.stands() ? c.axis_of_edge(e.bit) : std::nullopt;
+    return c.axis_in_space(e.bit);
   };
   const auto u = axis(p), v = axis(q);
   const Way way = u && v ? across(up ? *u : *v, up ? *v : *u, facet.points[0]) : Way::through(facet.points);
@@ -330,8 +362,8 @@ SumParting told_of(const EdgeSum& sum, const Least& least) {
 
 /// A guess in doubles: along which normal boxes overlap least, which is one of edges that are not nearly parallel.  Of
 /// boxes that are apart the likely one.
-template <class Overlaps, class Lengths>
-std::uint32_t guessed_axis(const Boxes& boxes, std::span<const NearAxes::Pair> pairs, const Overlaps& overlaps,
+template <class Box, class Overlaps, class Lengths>
+std::uint32_t guessed_axis(const Boxes<Box>& boxes, std::span<const NearAxes::Pair> pairs, const Overlaps& overlaps,
                            const Lengths& lengths, Gap gap) {
   const auto size = static_cast<std::uint32_t>(pairs.size());
   double largest = 0;
@@ -354,8 +386,9 @@ std::uint32_t guessed_axis(const Boxes& boxes, std::span<const NearAxes::Pair> p
 }
 
 /// Doubles whose errors are derived: as a rule they leave one axis.
+template <class Box>
 std::optional<SumParting> quick_boxes(const EdgeSum& sum, Gap gap) {
-  const auto boxes = Boxes::of(sum);
+  const auto boxes = Boxes<Box>::of(sum);
   if (!boxes) return {};
   Candidates c;
   std::array<NearAxes::Pair, 15> all;
@@ -368,8 +401,8 @@ std::optional<SumParting> quick_boxes(const EdgeSum& sum, Gap gap) {
   const auto pick = [&](const auto& overlaps, const auto& lengths) {
     return guessed_axis(*boxes, pairs, overlaps, lengths, gap);
   };
-  FloatWorld<NearAxes> world;
-  const NearAxes::Told told = NearAxes{}(world, boxes->a(), boxes->b(), pairs, pick);
+  FloatWorld<NearAxesOf<Box>> world;
+  const auto told = NearAxesOf<Box>{}(world, boxes->a(), boxes->b(), pairs, pick);
   if (!world.certain()) return {};
   c.best = told.picked;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -405,7 +438,9 @@ std::optional<SumParting> quick_boxes(const EdgeSum& sum, Gap gap) {
 }  // namespace
 
 std::optional<SumParting> quick_axis(const EdgeSum& sum, Gap gap) {
-  if (const auto told = quick_boxes(sum, gap)) return told;
+  const Difference& d = sum.difference();
+  const bool stand = d.a.stands() && d.b.stands();
+  if (const auto told = stand ? quick_boxes<GivenBox>(sum, gap) : quick_boxes<PosedBox>(sum, gap)) return told;
   const Zonotope z(sum);
   const auto least = least_of(z, gap);
   if (!least) return {};
@@ -421,17 +456,20 @@ std::optional<SumParting> plane_across(const Difference& d, const SumFacetEdges&
   const std::array of{std::min(*p, *q), std::max(*p, *q)};
   Axes axes(sum);
   std::optional<Signs> signs;
-  if (const auto boxes = Boxes::of(sum)) {
-    const std::array<NearAxes::Pair, 1> pair{boxes->pair(of)};
-    FloatWorld<NearAxes> world;
-    const NearAxes::Told told =
-        NearAxes{}(world, boxes->a(), boxes->b(), pair, [](const auto&, const auto&) { return 0U; });
-    if (world.certain() && told.overlap == Sign::negative) {
-      const auto along_space = boxes->along_space(pair[0]);
-      RoughSigns rough = boxes->rough_signs(told);
-      if (!along_space && boxes->lacks(rough, of)) boxes->fill(rough, near_axis_signs(boxes->a(), boxes->b(), pair));
-      signs = signs_of(0, of, rough, along_space, axes);
-    }
+  const auto by_boxes = [&]<class Box>(const Boxes<Box>& boxes) {
+    const std::array<NearAxes::Pair, 1> pair{boxes.pair(of)};
+    FloatWorld<NearAxesOf<Box>> world;
+    const auto told = NearAxesOf<Box>{}(world, boxes.a(), boxes.b(), pair, [](const auto&, const auto&) { return 0U; });
+    if (!world.certain() || told.overlap != Sign::negative) return;
+    const auto along_space = boxes.along_space(pair[0]);
+    RoughSigns rough = boxes.rough_signs(told);
+    if (!along_space && boxes.lacks(rough, of)) boxes.fill(rough, near_axis_signs(boxes.a(), boxes.b(), pair));
+    signs = signs_of(0, of, rough, along_space, axes);
+  };
+  if (const auto boxes = Boxes<GivenBox>::of(sum)) {
+    by_boxes(*boxes);
+  } else if (const auto posed = Boxes<PosedBox>::of(sum)) {
+    by_boxes(*posed);
   } else {
     const SumParts<Approximate> parts = settled(sum.parts<Approximate>());
     const Axis<Approximate> rough(parts, sum.groups(), of[0], of[1]);

@@ -1,4 +1,4 @@
-// Two boxes as they stand: which of their axes are the groups of their sum of edges, and what do doubles tell along normals of
+// Two boxes, as they stand or under poses: which of their axes are the groups of their sum of edges, and what do doubles tell along normals of
 // two groups?
 //
 // Laws: what is told is exact; nothing where doubles do not tell it.
@@ -33,14 +33,26 @@ struct RoughSigns {
   std::optional<Sign> overlap, middle;
   std::array<std::optional<Sign>, 6> along{};
 };
-/// Two boxes as they stand, each of whose edges has a length.
+/// Of a body, where it is such a box.
+template <class Box>
+std::optional<Box> box_of(const CoreCorners& c) {
+  if constexpr (std::same_as<Box, GivenBox>) {
+    return c.given_box();
+  } else {
+    return c.posed_box();
+  }
+}
+/// Two boxes as they stand or under poses, each of whose edges has a length.
+template <class Box>
 class Boxes {
  public:
   static std::optional<Boxes> of(const EdgeSum& sum) {
     const Difference& d = sum.difference();
     if (sum.edges().size() != 6) return {};
-    const auto a = d.a.given_box(), b = d.b.given_box();
-    if (!a || !b) return {};
+    const auto a = box_of<Box>(d.a);
+    if (!a) return {};
+    const auto b = box_of<Box>(d.b);
+    if (!b) return {};
     Boxes boxes{sum, *a, *b};
     for (std::size_t k = 6; k-- > 0;) {
       const SumEdge& e = sum.edges()[k];
@@ -48,8 +60,8 @@ class Boxes {
     }
     return boxes;
   }
-  [[nodiscard]] const GivenBox& a() const { return a_; }
-  [[nodiscard]] const GivenBox& b() const { return b_; }
+  [[nodiscard]] const Box& a() const { return a_; }
+  [[nodiscard]] const Box& b() const { return b_; }
 
   /// The pair by the numbers of the fifteen axes' statement.
   [[nodiscard]] NearAxes::Pair pair(const std::array<std::uint32_t, 2>& of) const {
@@ -59,7 +71,7 @@ class Boxes {
   [[nodiscard]] std::optional<AlongAxis> along_space(const NearAxes::Pair& p) const {
     return axis_of(arith::sparse_cross(arith::vec<Running>(axis(p[0])), arith::vec<Running>(axis(p[1]))));
   }
-  [[nodiscard]] RoughSigns rough_signs(const NearAxes::Told& told) const {
+  [[nodiscard]] RoughSigns rough_signs(const typename NearAxesOf<Box>::Told& told) const {
     const auto known = [](Sign s) { return s == Sign::zero ? std::nullopt : std::optional(s); };
     RoughSigns rough{known(told.overlap), known(told.middle)};
     for (std::uint32_t g = 0; g < sum_.groups(); ++g) rough.along[g] = known(told.along[first_[g]]);
@@ -84,16 +96,17 @@ class Boxes {
   [[nodiscard]] double area(const NearAxes::Pair& p, double of_axes) const {
     const auto length = [&](std::uint32_t k) {
       const GivenBox::Ends& e = (k < 3 ? a_ : b_).length[k % 3];
-      return (e.to - e.from) * (e.to - e.from);
+      const double beside = (k < 3 ? b_ : a_).weight;  // of the pose of the other
+      return (e.to - e.from) * (e.to - e.from) * beside * beside;
     };
     return of_axes * length(p[0]) * length(p[1]);
   }
 
  private:
-  Boxes(const EdgeSum& sum, const GivenBox& a, const GivenBox& b) : sum_(sum), a_(a), b_(b) {}
+  Boxes(const EdgeSum& sum, const Box& a, const Box& b) : sum_(sum), a_(a), b_(b) {}
 
   const EdgeSum& sum_;
-  GivenBox a_, b_;
+  Box a_, b_;
   std::array<std::uint32_t, 6> first_{};
 };
 

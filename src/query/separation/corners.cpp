@@ -104,6 +104,44 @@ std::optional<Vector3> CoreCorners::axis_of_edge(std::size_t k) const {
   return Vector3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
 }
 
+std::optional<Vector3> CoreCorners::axis_in_space(std::size_t k) const {
+  const auto axis = axis_of_edge(k);
+  if (!axis || is_far_) return {};
+  if (!is_turned_ || *axis == Vector3{}) return axis;
+  const auto& [x, y, z] = *axis;
+  const int zeros = static_cast<int>(x == 0) + static_cast<int>(y == 0) + static_cast<int>(z == 0);
+  if (zeros != 2 || std::fabs(x + y + z) != 1) return {};
+  const Vector3& c = columns_[x != 0 ? 0 : y != 0 ? 1 : 2];
+  return x + y + z > 0 ? c : Vector3{-c.x, -c.y, -c.z};
+}
+
+std::optional<PosedBox> CoreCorners::posed_box() const {
+  if (ways_ != 3 || is_far_ || is_swept_ || time_ != 0) return {};
+  const Point3 &p = points_[0], &q = points_[1];
+  PosedBox b{};
+  b.weight = weight_;
+  b.columns = {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}, b.along = {1, 2, 3};
+  if (is_turned_) b.columns = columns_, b.at = translation_, b.along = {along_of(0), along_of(1), along_of(2)};
+  if (aligned_) {
+    b.axes = b.columns;
+    b.length = {{{p.x, q.x}, {p.y, q.y}, {p.z, q.z}}};
+    b.local = {{{-p.x, q.x}, {-p.y, q.y}, {-p.z, q.z}}};
+    return b;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = axis_in_space(k);
+    if (!axis) return {};
+    b.axes[k] = *axis, b.length[k] = {-half_[k], half_[k]};
+  }
+  if (is_turned_) {
+    b.center = {p.x, p.y, p.z};
+    b.local = {{{-p.x, p.x}, {-p.y, p.y}, {-p.z, p.z}}};
+  } else {
+    b.at = {p.x, p.y, p.z};
+  }
+  return b;
+}
+
 std::optional<GivenBox> CoreCorners::given_box() const {
   if (ways_ != 3 || !stands_ || is_swept_) return {};
   const Point3 &p = points_[0], &q = points_[1];

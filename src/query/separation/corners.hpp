@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <span>
 
@@ -21,17 +22,9 @@
 #include "query/body/weighted_pose.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
+#include "query/separation/given_box.hpp"
 
 namespace plumb::query {
-
-/// A box by numbers as given, everything times two.
-struct GivenBox {
-  struct Ends {
-    double from, to;  // their difference is meant
-  };
-  std::array<Vector3, 3> axes;
-  std::array<Ends, 3> length, middle;
-};
 
 /// Numbers that a quotient is made of.
 template <class T>
@@ -96,6 +89,8 @@ class CoreCorners {
   /// Which way an edge leads by what is given, without arithmetic: a multiple above zero of an axis under the pose, and
   /// of the axis that is zero where it has no length; nothing where two points differ in several coordinates.
   [[nodiscard]] std::optional<Vector3> axis_of_edge(std::size_t k) const;
+  /// The same under the pose, where it is along a column of its matrix.
+  [[nodiscard]] std::optional<Vector3> axis_in_space(std::size_t k) const;
   [[nodiscard]] const AnyPoseView& pose() const { return pose_; }
   /// A box along the axes of space, before its pose?
   [[nodiscard]] bool is_aligned() const { return aligned_; }
@@ -116,6 +111,8 @@ class CoreCorners {
   }
   /// Of a box as it stands, without a pose.
   [[nodiscard]] std::optional<GivenBox> given_box() const;
+  /// And of one under a pose, or beside one that is, where doubles hold its axes.
+  [[nodiscard]] std::optional<PosedBox> posed_box() const;
 
   /// The same at a time of a straight motion.
   void move(const Vector3& by, double time) { by_ = by, time_ = time, stands_ = stands_ && time == 0; }
@@ -176,6 +173,9 @@ class CoreCorners {
   [[nodiscard]] arith::Vec<T> turned(const arith::Vec<T>& v) const {
     if (is_far_) return far_image(v, false);
     const auto& c = columns_;
+    if constexpr (can_be_divided<T>) {
+      if (has_scale_) return is_turned_ ? divided(v) : v;
+    }
     const auto r = is_turned_ ? arith::vec<T>(c[0]) * v.x + arith::vec<T>(c[1]) * v.y + arith::vec<T>(c[2]) * v.z : v;
     return has_scale_ ? weighted(r, T(weight_), T(beside_weight_)) : r;
   }
@@ -183,11 +183,42 @@ class CoreCorners {
   [[nodiscard]] arith::Vec<T> image(const arith::Vec<T>& p) const {
     if (is_far_) return far_image(p, true);
     const auto& c = columns_;
+    if constexpr (can_be_divided<T>) {
+      if (has_scale_) return is_turned_ ? arith::sparse_sum(divided(p), arith::vec<T>(translation_)) : p;
+    }
     if (!has_scale_) return is_turned_ ? turned(p) + arith::vec<T>(translation_) : p;
     if (!is_turned_) return weighted(p, T(1.0), T(beside_weight_));
     const arith::Vec<T> r = arith::vec<T>(c[0]) * p.x + arith::vec<T>(c[1]) * p.y + arith::vec<T>(c[2]) * p.z +
                             arith::vec<T>(translation_) * T(weight_);
     return weighted(r, T(weight_), T(beside_weight_));
+  }
+  /// From 1 on, or below zero for its opposite: the coordinate of the body's that a coordinate of space is, before it is moved.
+  [[nodiscard]] int along_of(std::size_t row) const {
+    const auto part = [row](const Vector3& c) { return row == 0 ? c.x : row == 1 ? c.y : c.z; };
+    const std::array x{part(columns_[0]), part(columns_[1]), part(columns_[2])};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_it = x[(k + 1) % 3] == 0 && x[(k + 2) % 3] == 0 && (x[k] == weight_ || x[k] == -weight_);
+      if (is_it) return x[k] > 0 ? static_cast<int>(k) + 1 : -static_cast<int>(k) - 1;
+    }
+    return 0;
+  }
+  /// By the matrix over its weight.  Where a coordinate of space is one of the body's, or its opposite, nothing is divided.
+  template <class T>
+  [[nodiscard]] arith::Vec<T> divided(const arith::Vec<T>& v) const {
+    const arith::Vec<T> u = arith::vec<T>(columns_[0]), w = arith::vec<T>(columns_[1]), x = arith::vec<T>(columns_[2]);
+    const auto part = [&](std::size_t row, const T& of_u, const T& of_w, const T& of_x) -> T {
+      if (const int along = along_of(row); along != 0) {
+        const T& same = std::abs(along) == 1 ? v.x : std::abs(along) == 2 ? v.y : v.z;
+        return along > 0 ? same : T(0.0) - same;
+      }
+      const T sum = of_u * v.x + of_w * v.y + of_x * v.z;
+      if constexpr (std::is_same_v<T, mpq_class>) {
+        return sum / T(weight_);
+      } else {
+        return weight_ == 1 ? sum : quotient(sum, T(weight_));
+      }
+    };
+    return {part(0, u.x, w.x, x.x), part(1, u.y, w.y, x.y), part(2, u.z, w.z, x.z)};
   }
   /// Where one of the poses has a matrix that is none of doubles.
   template <class T>
