@@ -261,8 +261,41 @@ HWY_INLINE Space<T> at_places(const Space<T>& x, const Places& k) {
   return {at_places(x.x, k), at_places(x.y, k), at_places(x.z, k)};
 }
 
+/// Of four points the coordinates, and which of them are told.
+struct ToldParts {
+  std::array<Four, 3> at;
+  std::array<unsigned, 3> are_told;
+  [[nodiscard]] Point3 operator[](std::size_t k) const { return {at[0][k] + 0.0, at[1][k] + 0.0, at[2][k] + 0.0}; }
+  [[nodiscard]] bool has(std::size_t k) const { return ((are_told[0] & are_told[1] & are_told[2]) >> k & 1) != 0; }
+  /// What is told of the same points besides.
+  void take(const ToldParts& same, std::size_t k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((are_told[i] >> k & 1) != 0 || (same.are_told[i] >> k & 1) == 0) continue;
+      at[i][k] = same.at[i][k], are_told[i] |= 1U << k;
+    }
+  }
+};
+/// On an edge: where it does not lead along an axis of space, the coordinate is that of the corner that it leaves.
+HWY_INLINE void tell(const Space<Twofolds>& p, const Space<Many>& edge, const Corners4& of, const Places& corner,
+                     const std::array<std::int64_t, 4>& corners, ToldParts& to) {
+  unsigned have = 0;
+  for (std::size_t k = 0; k < 4; ++k) have |= of.told.has(static_cast<std::size_t>(corners[k])) ? 1U << k : 0U;
+  const auto part = [&](std::size_t i, const Twofolds& x, const Many& e, const Four& of_corner) HWY_ATTR {
+    Many told;
+    const Truth is = x.told(told) & is_in_range(told);
+    const unsigned level = bits_of(certify::many_lanes::HWY_NAMESPACE::is_zero(e)) & have;
+    store(told, to.at[i]);
+    to.are_told[i] = bits_of(is) | level;
+    if (level == 0) return;
+    Four known;
+    store(at_places(loaded_four(of_corner), corner), known);
+    for (std::size_t k = 0; k < 4; ++k) to.at[i][k] = (level >> k & 1) != 0 ? known[k] : to.at[i][k];
+  };
+  part(0, p.x, edge.x, of.told.x), part(1, p.y, edge.y, of.told.y), part(2, p.z, edge.z, of.told.z);
+}
+
 struct Crossed {
-  ToldPoints on_a, on_b;
+  ToldParts on_a, on_b;
   ToldFour apart;
 };
 /// The pair is edge i of a and edge j of b, in lanes.
@@ -277,8 +310,8 @@ HWY_INLINE void cross_at(const Crossings& c, const Corners4& a, const Corners4& 
   const Twofolds on_a = dot_of(at_places(c.across_b, of), way) * inverse,
                  on_b = dot_of(at_places(c.across_a, of), way) * inverse;
   const Space<Many> e = at_places(c.edge_a, of), g = at_places(c.edge_b, of);
-  tell({p.x + on_a * e.x, p.y + on_a * e.y, p.z + on_a * e.z}, to.on_a);
-  tell({q.x + on_b * g.x, q.y + on_b * g.y, q.z + on_b * g.z}, to.on_b);
+  tell({p.x + on_a * e.x, p.y + on_a * e.y, p.z + on_a * e.z}, e, a, of_a, i, to.on_a);
+  tell({q.x + on_b * g.x, q.y + on_b * g.y, q.z + on_b * g.z}, g, b, of_b, j, to.on_b);
   tell(dot_of(at_places(c.both, of), way) * inverse * length, to.apart);
 }
 
@@ -348,6 +381,7 @@ HWY_INLINE void tell_crossings(const std::array<const BoxSide*, 2>& side, const 
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t at = edges[first + k];
       const bool touches = telling.does_touch(at);
+      if (touches) crossed.on_a.take(crossed.on_b, k);
       if (!crossed.on_a.has(k) || (!touches && !crossed.on_b.has(k))) continue;
       telling.tell(at, crossed.on_a[k], touches ? crossed.on_a[k] : crossed.on_b[k], crossed.apart, k);
     }

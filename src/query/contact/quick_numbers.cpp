@@ -29,6 +29,13 @@ Ball unweighted(const Ball& x, const Ball& weights) {
   return is_one || certainly_zero(x) ? x : quotient(x, weights);
 }
 
+/// Along an axis of space bodies are as far apart as sums of a few numbers, which balls hold.
+[[gnu::noinline]] std::optional<Ball> height_along_axis(const Pair& p) {
+  if (!p.way().is_along_axis()) return {};
+  const Ball height = p.height(p.normal<Ball>());
+  return height.radius == 0 ? std::optional(height) : std::nullopt;
+}
+
 /// What a ball knows; its error is that many times 2^-106 of its size.
 parting::FusedPair pair_of(const Ball& x) {
   using T = parting::FusedPair;
@@ -136,9 +143,10 @@ std::optional<Whole> QuickNumbers::whole() const {
   const auto by_pairs = [&] { return has_fma ? whole_fused(pair_, by_pairs_, open, known()) : std::nullopt; };
   if (const auto told = by_pairs()) return told;
   if (open == Open::distance) {
-    const auto weights = weights_of(pair_);
+    height = height_along_axis(pair_);
+    const auto weights = height ? std::nullopt : weights_of(pair_);
     if (weights) height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); });
-    if (height) height = unweighted(*height, *weights);
+    if (weights && height) height = unweighted(*height, *weights);
   }
   std::optional<Whole> told = height ? by_pairs() : std::nullopt;
   if (!told) told = whole_by_balls(pair_, open, known());
