@@ -383,5 +383,6 @@ plumb_status plumb_points_within(const plumb_points* tree, const double* query, 
 #endif
 
 #include "plumb/plumb_surfaces.h"
+#include "plumb/plumb_world.h"
 
 #endif

@@ -128,7 +128,8 @@ std::vector<Source> read_sources(const fs::path& tree) {
 
 /// The rung of a name directly below include/plumb or src: a folder, or a face such as surface.hpp.
 std::optional<int> rung_of(std::string name) {
-  if (one_of(name, {"tool", "python", "c", "plumb.hpp", "plumb.h", "plumb_surfaces.h"})) return above_all;
+  if (one_of(name, {"tool", "python", "c", "plumb.hpp", "plumb.h", "plumb_surfaces.h", "plumb_world.h"}))
+    return above_all;
   if (name == "lab") return above_all + 1;             // the second program knows the first
   if (name == "predicates.hpp") name = "certify.hpp";  // the face of the signs
   if (name == "classic.h") name = "classic.hpp";       // the face for C
@@ -175,12 +176,13 @@ void check_folders(const fs::path& tree, std::vector<Breach>& out) {
     for (const auto& entry : fs::directory_iterator(tree / top)) {
       const std::string name = entry.path().filename().string();
       const std::string extension = entry.path().extension().string();
-      const bool known = entry.is_directory() ? rung_of(name) && (name != "predicates" || entry.is_symlink()) &&
-                                                    (!one_of(name, {"tool", "lab", "python", "c"}) || top == "src")
-                         : top == "src"
-                             ? one_of(extension, {".cmake", ".in"})
-                             : (extension == ".hpp" || one_of(name, {"classic.h", "plumb.h", "plumb_surfaces.h"})) &&
-                                   rung_of(name).has_value();
+      const bool known =
+          entry.is_directory() ? rung_of(name) && (name != "predicates" || entry.is_symlink()) &&
+                                     (!one_of(name, {"tool", "lab", "python", "c"}) || top == "src")
+          : top == "src"
+              ? one_of(extension, {".cmake", ".in"})
+              : (extension == ".hpp" || one_of(name, {"classic.h", "plumb.h", "plumb_surfaces.h", "plumb_world.h"})) &&
+                    rung_of(name).has_value();
       if (!known) out.push_back({top + "/" + name, "is no rung of the ladder"});
     }
   }

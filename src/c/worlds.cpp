@@ -1,0 +1,383 @@
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "c/figures.hpp"
+#include "c/handles.hpp"
+#include "plumb/world/world.hpp"
+
+using namespace plumb;
+using c::figure_of, c::guarded, c::need, c::need_size;
+
+/// The world, and what of it is told by pointers.
+struct plumb_world {
+  explicit plumb_world(const CollisionWorldOptions& options) : world(options), has_contacts(options.contacts) {}
+
+  CollisionWorld world;
+  bool has_contacts;
+  std::vector<plumb_world_pair> begun, kept, ended, pairs;
+  std::vector<plumb_world_contact> contacts;
+  std::vector<plumb_corner> corners;
+};
+
+namespace {
+
+plumb_body number_of(const BodyHandle& h) { return (std::uint64_t{h.generation} << 32) | h.slot; }
+BodyHandle handle_of(plumb_body n) {
+  return {static_cast<std::uint32_t>(n & 0xffffffff), static_cast<std::uint32_t>(n >> 32)};
+}
+
+RigidPose rigid_of(const plumb_rigid3& p) {
+  return {{p.w, p.x, p.y, p.z}, {p.translation[0], p.translation[1], p.translation[2]}};
+}
+AnyBody under(const AnyBody& body, const plumb_rigid3* pose) {
+  return pose == nullptr ? body : body.under(rigid_of(*pose));
+}
+
+AnyBody body_of(const plumb_figure* figures, std::size_t count) {
+  need(figures, count, "figures");
+  if (count == 1) return AnyBody(figure_of(figures, "figures"));
+  std::vector<AnyBody> parts;
+  for (std::size_t i = 0; i < count; ++i) parts.emplace_back(figure_of(figures + i, "figures"));
+  return AnyBody::compound(parts);
+}
+
+BodyOptions options_of(const plumb_body_options* given) {
+  if (given == nullptr) return {};
+  need_size(given, "options");
+  return {given->group, given->mask, given->user_id, given->margin, given->is_static != 0};
+}
+
+AnyRay ray_of(const plumb_figure* given) {
+  const AnyFigure figure = figure_of(given, "ray");
+  if (const auto* r = get_if<Ray3>(figure)) return *r;
+  if (const auto* s = get_if<Segment3>(figure)) return *s;
+  if (const auto* l = get_if<Line3>(figure)) return *l;
+  throw c::InvalidArgument("ray is no line, ray or segment of space that stands as it is");
+}
+
+plumb_part told_part(const BodyPart& p) { return {p.part, p.triangle}; }
+plumb_feature told_feature(const Feature& f) { return {static_cast<std::int32_t>(f.kind), f.index}; }
+plumb_world_pair told(const WorldPair& p) {
+  return {p.id_a, p.id_b, number_of(p.a), number_of(p.b), static_cast<std::int32_t>(p.relation)};
+}
+plumb_world_hit told(const WorldHit& h) {
+  plumb_world_hit to{h.user_id, number_of(h.body), told_part(h.part), h.hit.t, {}, {}};
+  c::copy(to.point, h.hit.point), c::copy(to.normal, h.hit.normal);
+  return to;
+}
+plumb_world_near told(const WorldNear& n) { return {n.user_id, number_of(n.body), told_part(n.part), n.distance}; }
+plumb_world_near_pair told(const WorldNearPair& p) {
+  return {p.id_a, p.id_b, number_of(p.a), number_of(p.b), told_part(p.part_a), told_part(p.part_b), p.distance};
+}
+plumb_world_cast told(const WorldCast& k) {
+  return {k.user_id,
+          number_of(k.body),
+          told_part(k.part),
+          k.contact.time,
+          told_feature(k.contact.feature_a),
+          told_feature(k.contact.feature_b)};
+}
+plumb_world_impact told(const WorldImpact& i) {
+  return {i.id_a,
+          i.id_b,
+          number_of(i.a),
+          number_of(i.b),
+          told_part(i.part_a),
+          told_part(i.part_b),
+          i.contact.time,
+          told_feature(i.contact.feature_a),
+          told_feature(i.contact.feature_b),
+          i.rank};
+}
+plumb_world_span told(const WorldContactSpan& s) {
+  return {s.id_a, s.id_b, number_of(s.a), number_of(s.b), s.span.from, s.span.to, s.is_certain};
+}
+plumb_body told(const BodyHandle& h) { return number_of(h); }
+
+std::vector<plumb_world_pair> all_told(const std::vector<WorldPair>& pairs) {
+  std::vector<plumb_world_pair> all;
+  all.reserve(pairs.size());
+  for (const WorldPair& p : pairs) all.push_back(told(p));
+  return all;
+}
+
+/// The first of them, as many as there is room for.
+template <class Item, class Told>
+void write_first(const std::vector<Item>& items, Told* to, std::size_t capacity, std::size_t* count) {
+  for (std::size_t i = 0; i < std::min(capacity, items.size()); ++i) to[i] = told(items[i]);
+  *count = items.size();
+}
+
+template <class Item, class Told>
+void write_found(const std::optional<Item>& item, int* found, Told* to) {
+  if (item) *to = told(*item);
+  *found = item ? 1 : 0;
+}
+
+void keep_contacts(plumb_world& w) {
+  std::vector<plumb_corner> corners;
+  std::vector<plumb_world_contact> contacts;
+  for (const WorldContact& k : w.world.contacts()) {
+    const ContactManifold& m = k.manifold;
+    plumb_world_contact to{k.id_a,
+                           k.id_b,
+                           number_of(k.a),
+                           number_of(k.b),
+                           told_part(k.part_a),
+                           told_part(k.part_b),
+                           static_cast<std::int32_t>(m.relation),
+                           {},
+                           m.distance,
+                           nullptr,
+                           m.corners.size()};
+    c::copy(to.normal, m.normal);
+    contacts.push_back(to);
+    for (const ContactCorner& corner : m.corners) {
+      plumb_corner& at = corners.emplace_back();
+      c::copy(at.on_a, corner.on_a), c::copy(at.on_b, corner.on_b);
+      at.distance = corner.distance;
+      at.feature_a = told_feature(corner.id.a), at.feature_b = told_feature(corner.id.b);
+    }
+  }
+  std::size_t next = 0;
+  for (plumb_world_contact& k : contacts) k.corners = corners.data() + next, next += k.corner_count;
+  w.corners = std::move(corners), w.contacts = std::move(contacts);
+}
+
+}  // namespace
+
+extern "C" {
+
+plumb_status plumb_world_create(const plumb_world_options* options, plumb_world** world) {
+  return guarded("plumb_world_create", [&] {
+    need(world, "world");
+    CollisionWorldOptions by;
+    if (options != nullptr) {
+      need_size(options, "options");
+      by.contacts = options->contacts != 0;
+      by.execution = options->one_thread != 0 ? Execution::serial : Execution::parallel;
+    }
+    *world = new plumb_world(by);
+  });
+}
+
+void plumb_world_destroy(plumb_world* world) { delete world; }
+
+plumb_status plumb_world_add(plumb_world* world, const plumb_figure* figures, std::size_t count,
+                             const plumb_rigid3* pose, const plumb_body_options* options, plumb_body* body) {
+  return guarded("plumb_world_add", [&] {
+    need(world, "world");
+    need(body, "body");
+    *body = number_of(world->world.add(under(body_of(figures, count), pose), options_of(options)));
+  });
+}
+
+plumb_status plumb_world_add_mesh(plumb_world* world, const plumb_mesh* mesh, const plumb_rigid3* pose,
+                                  const plumb_body_options* options, plumb_body* body) {
+  return guarded("plumb_world_add_mesh", [&] {
+    need(world, "world");
+    need(mesh, "mesh");
+    need(body, "body");
+    *body = number_of(world->world.add(under(AnyBody(SharedMesh(mesh->mesh)), pose), options_of(options)));
+  });
+}
+
+plumb_status plumb_world_move(plumb_world* world, plumb_body body, const plumb_rigid3* pose) {
+  return guarded("plumb_world_move", [&] {
+    need(world, "world");
+    need(pose, "pose");
+    world->world.move(handle_of(body), rigid_of(*pose));
+  });
+}
+
+plumb_status plumb_world_replace(plumb_world* world, plumb_body body, const plumb_figure* figures, std::size_t count) {
+  return guarded("plumb_world_replace", [&] {
+    need(world, "world");
+    world->world.replace(handle_of(body), body_of(figures, count));
+  });
+}
+
+plumb_status plumb_world_remove(plumb_world* world, plumb_body body) {
+  return guarded("plumb_world_remove", [&] {
+    need(world, "world");
+    world->world.remove(handle_of(body));
+  });
+}
+
+plumb_status plumb_world_contains(const plumb_world* world, plumb_body body, int* answer) {
+  return guarded("plumb_world_contains", [&] {
+    need(world, "world");
+    need(answer, "answer");
+    *answer = world->world.contains(handle_of(body)) ? 1 : 0;
+  });
+}
+
+plumb_status plumb_world_size(const plumb_world* world, std::size_t* count) {
+  return guarded("plumb_world_size", [&] {
+    need(world, "world");
+    need(count, "count");
+    *count = world->world.size();
+  });
+}
+
+plumb_status plumb_world_allow_collision(plumb_world* world, plumb_body a, plumb_body b, int allowed) {
+  return guarded("plumb_world_allow_collision", [&] {
+    need(world, "world");
+    world->world.allow_collision(handle_of(a), handle_of(b), allowed != 0);
+  });
+}
+
+plumb_status plumb_world_commit(plumb_world* world, plumb_world_events* events) {
+  return guarded("plumb_world_commit", [&] {
+    need(world, "world");
+    if (events != nullptr) need_size(events, "events");
+    const WorldEvents& now = world->world.commit();
+    world->begun = all_told(now.begun), world->kept = all_told(now.kept), world->ended = all_told(now.ended);
+    world->pairs = all_told(world->world.pairs());
+    if (world->has_contacts) keep_contacts(*world);
+    if (events == nullptr) return;
+    c::write(events, plumb_world_events{0, world->begun.data(), world->kept.data(), world->ended.data(),
+                                        world->begun.size(), world->kept.size(), world->ended.size()});
+  });
+}
+
+plumb_status plumb_world_pairs(const plumb_world* world, const plumb_world_pair** pairs, std::size_t* count) {
+  return guarded("plumb_world_pairs", [&] {
+    need(world, "world");
+    need(pairs, "pairs");
+    need(count, "count");
+    *pairs = world->pairs.data(), *count = world->pairs.size();
+  });
+}
+
+plumb_status plumb_world_contacts(const plumb_world* world, const plumb_world_contact** contacts, std::size_t* count) {
+  return guarded("plumb_world_contacts", [&] {
+    need(world, "world");
+    need(contacts, "contacts");
+    need(count, "count");
+    static_cast<void>(world->world.contacts());  // refuses where none are kept
+    *contacts = world->contacts.data(), *count = world->contacts.size();
+  });
+}
+
+plumb_status plumb_world_check(const plumb_world* world, std::size_t samples, char* text, std::size_t capacity,
+                               std::size_t* length) {
+  return guarded("plumb_world_check", [&] {
+    need(world, "world");
+    need(text, capacity, "text");
+    need(length, "length");
+    std::string all;
+    for (const std::string& sentence : world->world.check(samples)) all += (all.empty() ? "" : "\n") + sentence;
+    if (all.size() < capacity) std::memcpy(text, all.c_str(), all.size() + 1);
+    *length = all.size();
+  });
+}
+
+plumb_status plumb_world_overlaps(const plumb_world* world, const plumb_figure* figure, std::uint32_t mask,
+                                  plumb_body* bodies, std::size_t capacity, std::size_t* count) {
+  return guarded("plumb_world_overlaps", [&] {
+    need(world, "world");
+    need(bodies, capacity, "bodies");
+    need(count, "count");
+    write_first(world->world.overlaps(figure_of(figure, "figure"), mask), bodies, capacity, count);
+  });
+}
+
+plumb_status plumb_world_first_hit(const plumb_world* world, const plumb_figure* ray, std::uint32_t mask, int* found,
+                                   plumb_world_hit* hit) {
+  return guarded("plumb_world_first_hit", [&] {
+    need(world, "world");
+    need(found, "found");
+    need(hit, "hit");
+    write_found(world->world.first_hit(ray_of(ray), mask), found, hit);
+  });
+}
+
+plumb_status plumb_world_hits(const plumb_world* world, const plumb_figure* ray, std::uint32_t mask,
+                              plumb_world_hit* hits, std::size_t capacity, std::size_t* count) {
+  return guarded("plumb_world_hits", [&] {
+    need(world, "world");
+    need(hits, capacity, "hits");
+    need(count, "count");
+    write_first(world->world.hits(ray_of(ray), mask), hits, capacity, count);
+  });
+}
+
+plumb_status plumb_world_nearest(const plumb_world* world, const plumb_figure* figure, std::size_t k,
+                                 std::uint32_t mask, plumb_world_near* near_bodies, std::size_t* count) {
+  return guarded("plumb_world_nearest", [&] {
+    need(world, "world");
+    need(near_bodies, k, "near_bodies");
+    need(count, "count");
+    write_first(world->world.nearest(figure_of(figure, "figure"), k, mask), near_bodies, k, count);
+  });
+}
+
+plumb_status plumb_world_within(const plumb_world* world, const plumb_figure* figure, double distance,
+                                std::uint32_t mask, plumb_world_near* near_bodies, std::size_t capacity,
+                                std::size_t* count) {
+  return guarded("plumb_world_within", [&] {
+    need(world, "world");
+    need(near_bodies, capacity, "near_bodies");
+    need(count, "count");
+    write_first(world->world.within(figure_of(figure, "figure"), distance, mask), near_bodies, capacity, count);
+  });
+}
+
+plumb_status plumb_world_nearest_pairs(const plumb_world* world, std::size_t k, double within,
+                                       plumb_world_near_pair* pairs, std::size_t* count) {
+  return guarded("plumb_world_nearest_pairs", [&] {
+    need(world, "world");
+    need(pairs, k, "pairs");
+    need(count, "count");
+    write_first(world->world.nearest_pairs(k, within), pairs, k, count);
+  });
+}
+
+plumb_status plumb_world_first_contact(const plumb_world* world, const plumb_figure* figure, const double* by,
+                                       std::uint32_t mask, int* found, plumb_world_cast* cast) {
+  return guarded("plumb_world_first_contact", [&] {
+    need(world, "world");
+    need(by, "by");
+    need(found, "found");
+    need(cast, "cast");
+    write_found(world->world.first_contact(figure_of(figure, "figure"), {by[0], by[1], by[2]}, mask), found, cast);
+  });
+}
+
+plumb_status plumb_world_first_contacts(const plumb_world* world, const plumb_body_motion* motions,
+                                        std::size_t motion_count, plumb_world_impact* impacts, std::size_t capacity,
+                                        std::size_t* count) {
+  return guarded("plumb_world_first_contacts", [&] {
+    need(world, "world");
+    need(motions, motion_count, "motions");
+    need(impacts, capacity, "impacts");
+    need(count, "count");
+    std::vector<BodyMotion> all;
+    for (std::size_t i = 0; i < motion_count; ++i) {
+      const plumb_body_motion& m = motions[i];
+      all.push_back({handle_of(m.body), {m.by[0], m.by[1], m.by[2]}});
+    }
+    write_first(world->world.first_contacts(all), impacts, capacity, count);
+  });
+}
+
+plumb_status plumb_world_first_contact_spans(const plumb_world* world, const plumb_body_turn* turns,
+                                             std::size_t turn_count, double resolution, plumb_world_span* spans,
+                                             std::size_t capacity, std::size_t* count) {
+  return guarded("plumb_world_first_contact_spans", [&] {
+    need(world, "world");
+    need(turns, turn_count, "turns");
+    need(spans, capacity, "spans");
+    need(count, "count");
+    std::vector<BodyTurn> all;
+    for (std::size_t i = 0; i < turn_count; ++i) all.push_back({handle_of(turns[i].body), rigid_of(turns[i].to)});
+    write_first(resolution == 0 ? world->world.first_contact_spans(all)
+                                : world->world.first_contact_spans(all, {.resolution = resolution}),
+                spans, capacity, count);
+  });
+}
+
+}  // extern "C"
