@@ -38,10 +38,10 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
       "broad_phase", "cells", "bsp"}},
     {"surface", {"planar", "file", "topology", "section", "repair", "parts", "solid"}},
     {"tool",
-     {"terminal",  "drawing", "mesh",   "rows",      "trial",   "manual", "corpus", "boolean",    "bounds", "bsp",
-      "bvh",       "check",   "clash",  "closest",   "convert", "convex", "csg",    "distance",   "doctor", "fuzz",
-      "hausdorff", "help",    "inside", "intersect", "nearest", "pairs",  "parts",  "placements", "plan",   "proof",
-      "ray",       "repair",  "replay", "resolve",   "section", "sign",   "program"}},
+     {"terminal", "drawing",   "mesh",   "rows",    "trial",     "manual",  "corpus", "boolean", "bounds",     "bsp",
+      "bvh",      "check",     "clash",  "closest", "collect",   "convert", "convex", "csg",     "distance",   "doctor",
+      "fuzz",     "hausdorff", "help",   "inside",  "intersect", "nearest", "pairs",  "parts",   "placements", "plan",
+      "proof",    "ray",       "repair", "replay",  "resolve",   "section", "sign",   "program"}},
     {"lab", {"trial", "crowd", "chart", "stability", "vectors", "program"}},
 };
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
@@ -39,9 +40,15 @@ void put_inputs(const Folder& folder) {
   std::ofstream(folder / "boxes.csv") << "0,0,0,1,1,1\n0.5,0.5,0.5,2,2,2\n1,0,0,2,1,1\n";
   std::ofstream(folder / "flat_boxes.csv") << "0,0,1,1\n0.1,0.1,2,2\n";
   std::ofstream(folder / "points.csv") << "0,0,0\n1,1,1\n0.1,0,0\n1,0,0\n";
+  std::filesystem::create_directory(folder / "shards");
   std::ofstream(folder / "questions.txt") << "relate | ball3 0 0 0 1 | ball3 2 0 0 1 = disjoint\n"
                                           << "distance | point3 0 0 0 | point3 3 4 0\n";
   std::ofstream(folder / "model.csg") << "difference() { cube(3); translate([0.1, 0.1, 0.1]) import(\"cube.obj\"); }\n";
+  std::ofstream(folder / "shards/check.2-of-2.jsonl")
+      << R"({"command":"check","corpus":"parts","plumb":"0","settings":{},"shard":2,"shards":2})" << '\n'
+      << R"({"model":"a.obj","verdict":"faulty","defects":["open"],"faults":{"open edges":3},"triangles":1})" << '\n'
+      << R"({"model":"b.obj","verdict":"timeout","why":"took more than 1 s","measured":{"seconds":1,"peak_mib":9}})"
+      << '\n';
   std::ofstream(folder / "probes.txt") << "0.5 0.5 0.5\n0 0 0\n2 2 2\n";
 }
 
@@ -58,6 +65,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
       {"clash",
        {"cube.obj crossing.obj far.obj", "--clearance 50 cube.obj cube.obj far.obj open.obj",
         "--ignore overlapping cube.obj crossing.obj"}},
+      {"collect", {"shards", "--worst 1 shards"}},
       {"convex", {"cube.obj far.obj", "cube.obj crossing.obj", "cube.obj open.obj", "cube.obj cube.obj"}},
       {"closest",
        {"cube.obj probes.txt", "--within 0.5 cube.obj probes.txt --point 0.1,0,0",

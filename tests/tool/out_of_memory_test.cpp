@@ -153,6 +153,10 @@ const std::vector<Writer> writers{
      .words = {"clash", "block.obj", "small.obj", "--json", "a.json", "--csv", "a.csv", "--bcf", "a.bcf"},
      .outputs = {"a.json", "a.csv", "a.bcf"},
      .is_hungry = false},
+    {.name = "collect",
+     .words = {"collect", ".", "--json", "a.json", "--csv", "a.csv", "--page", "a.html"},
+     .outputs = {"a.json", "a.csv", "a.html"},
+     .is_hungry = false},
     {.name = "boolean",
      .words = {"boolean", "union", "block.obj", "small.obj", "--output", "a.obj", "--json", "a.json", "--overwrite"},
      .outputs = {"a.obj", "a.json"}},
@@ -227,6 +231,12 @@ void write_inputs(const std::string& folder) {
   std::ofstream questions(folder + "/questions.txt");
   for (int i = 0; i < 20000; ++i) questions << "distance | point3 0 0 0 | ball3 " << i << " 0 0 1\n";
   std::ofstream(folder + "/model.csg") << "difference() { import(\"small.obj\"); import(\"block.obj\"); }\n";
+  std::ofstream shard(folder + "/check.1-of-1.jsonl");
+  shard << R"({"command":"check","corpus":"parts","settings":{},"shard":1,"shards":1})" << '\n';
+  for (int i = 0; i < 2000; ++i)
+    shard << R"({"defects":["open"],"faults":{"open edges":3},"model":")" << i << R"(.obj","verdict":"faulty"})"
+          << '\n';
+  shard << "{\"done\":2000}\n";
   std::ofstream(folder + "/block.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   for (const auto& [name, at, n] :
        {std::tuple("part", 0.0, 80), {"near", 0.4, 80}, {"far", 7.0, 80}, {"small", 0.0, 24}}) {
@@ -384,7 +394,8 @@ TEST(Writers, AreAllThereAre) {
         const auto writes = [&, &program = program](const Writer& w) {
           return w.program == program && w.words[0] == command && std::ranges::count(w.words, word) > 0;
         };
-        EXPECT_TRUE(read.contains(word) || std::ranges::any_of(writers, writes))
+        const bool is_of_shards = command == "check" && word == "--out";  // whose lines stay (shard_cli_test.cpp)
+        EXPECT_TRUE(read.contains(word) || is_of_shards || std::ranges::any_of(writers, writes))
             << name << ' ' << command << ' ' << word;
       }
     }

@@ -60,7 +60,7 @@ TEST(ManualPages, NameTheFormatsThatAreReadOnce) {
 
 TEST(ManualPages, AreWrittenWhereManAndShellsLook) {
   const Folder folder;
-  EXPECT_THAT(run("$PLUMB help --write-pages " + (folder / "share")).out, HasSubstr("33 files"));
+  EXPECT_THAT(run("$PLUMB help --write-pages " + (folder / "share")).out, HasSubstr("34 files"));
   EXPECT_EQ(content(folder / "share/man/man1/plumb.1"), run("$PLUMB help --roff").out);
   for (const std::string& command : commands())
     EXPECT_EQ(content(folder / ("share/man/man1/plumb-" + command + ".1")), run("$PLUMB help --roff " + command).out);

@@ -41,6 +41,7 @@ Command bvh_command(CLI::App& program);
 Command check_command(CLI::App& program);
 Command clash_command(CLI::App& program);
 Command closest_command(CLI::App& program);
+Command collect_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 Command convex_command(CLI::App& program);
 Command csg_command(CLI::App& program);

@@ -55,6 +55,10 @@ check [MESH]...
        decisions that mesh software takes on them, in floating point and
        exactly, and says where floating point errs.
 
+collect DIR
+       Tells what was found of a folder of models by several runs of
+       check, the worst first.
+
 convert FROM TO
        Writes a mesh file in another format, every coordinate the same
        double.

@@ -25,6 +25,7 @@ Manual bsp_manual();
 Manual bvh_manual();
 Manual check_manual();
 Manual clash_manual();
+Manual collect_manual();
 Manual completion_manual();
 Manual convert_manual();
 Manual convex_manual();

@@ -16,7 +16,7 @@ std::vector<Command> commands_of(CLI::App& app) {
           inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
           convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app),
           csg_command(app),     resolve_command(app),   parts_command(app),    boolean_command(app),
-          replay_command(app),  bsp_command(app),       clash_command(app)};
+          replay_command(app),  bsp_command(app),       clash_command(app),    collect_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
