@@ -82,8 +82,8 @@ std::vector<std::size_t> worst_of(const std::vector<CollectedModel>& models) {
 
 /// Every line, with what of it goes into the digest.
 std::map<std::string, std::pair<CollectedModel, std::string>> lines_by_model(const std::vector<FoundShard>& files,
-                                                                       Collection& all,
-                                                                       std::set<std::uint32_t>& whole) {
+                                                                             Collection& all,
+                                                                             std::set<std::uint32_t>& whole) {
   std::map<std::string, std::pair<CollectedModel, std::string>> models;
   json first;
   for (const FoundShard& file : files) {
