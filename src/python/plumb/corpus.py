@@ -26,7 +26,7 @@ NO_DASK = ("plumb.corpus: Dask's distributed is needed and is not here; Debian h
 class Shards(NamedTuple):
     """How the shards of a corpus ended: how many there are, and the number and the reason of each that is not done."""
 
-    count: int
+    total: int
     failed: List[Tuple[int, str]]
 
 
@@ -166,15 +166,15 @@ def main(words: Optional[Sequence[str]] = None) -> int:
         print(error, file=sys.stderr)
         return 2
     for number, why in shards.failed[:10]:
-        print(f"plumb.corpus: shard {number}/{shards.count}: {why}", file=sys.stderr)
-    if len(shards.failed) == shards.count:
+        print(f"plumb.corpus: shard {number}/{shards.total}: {why}", file=sys.stderr)
+    if len(shards.failed) == shards.total:
         return 2
     page = ["--page", asked.page] if asked.page else []
     if here is not None:
         sys.stdout.flush()
         collected = subprocess.run([here, "collect", asked.out, *page], check=False).returncode
         return max(collected, 1 if shards.failed else 0)
-    print(f"{shards.count - len(shards.failed)} of {shards.count} shards are done; 'plumb collect {asked.out}' tells")
+    print(f"{shards.total - len(shards.failed)} of {shards.total} shards are done; 'plumb collect {asked.out}' tells")
     return 1 if shards.failed else 0
 
 
