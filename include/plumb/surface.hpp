@@ -30,6 +30,7 @@
 #include "plumb/surface/solid/exact_mesh.hpp"            // what these make
 #include "plumb/surface/solid/merge_pieces.hpp"          // coplanar pieces of what these make, as polygons
 #include "plumb/surface/solid/round.hpp"                 // its doubles, sound or not
+#include "plumb/surface/solid/split.hpp"                 // its parts on two sides of a plane
 #include "plumb/surface/topology/adjacency.hpp"          // half-edges, winged edges, triangles at a vertex
 #include "plumb/surface/topology/components.hpp"         // connected components, boundary loops, Euler's formula
 #include "plumb/surface/topology/defects.hpp"            // bow ties, T-junctions, double faces, close vertices

@@ -41,7 +41,7 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
      {"terminal", "drawing",   "mesh",   "rows",    "trial",     "manual",  "corpus", "boolean", "bounds",     "bsp",
       "bvh",      "check",     "clash",  "closest", "collect",   "convert", "convex", "csg",     "distance",   "doctor",
       "fuzz",     "hausdorff", "help",   "inside",  "intersect", "nearest", "pairs",  "parts",   "placements", "plan",
-      "proof",    "ray",       "repair", "replay",  "resolve",   "section", "sign",   "program"}},
+      "proof",    "ray",       "repair", "replay",  "resolve",   "section", "sign",   "split",   "program"}},
     {"lab", {"trial", "crowd", "chart", "stability", "vectors", "program"}},
 };
 

@@ -27,6 +27,11 @@ inline TriangleMesh hull_of(const std::vector<Point3>& points) {
   return mesh;
 }
 
+inline ExactMesh exact_hull_of(const std::vector<Point3>& points) {
+  const TriangleMesh hull = hull_of(points);
+  return {{hull.vertices.begin(), hull.vertices.end()}, hull.triangles, std::vector<SourceFace>(hull.triangles.size())};
+}
+
 /// Of a strip, which have no vertex in common.
 inline std::vector<Bvh::Corners> each_third(const std::vector<Bvh::Corners>& triangles) {
   std::vector<Bvh::Corners> some;
@@ -471,13 +476,10 @@ inline const CostRow rows_of_indexes[]{
     {"evaluate", "surface/solid/evaluate.hpp", quartic, 3000,
      [](const Cloud& c) { (void)evaluate(csg(hull_of(c.a)) - csg(hull_of(c.b))); }},
     {"merge_pieces", "surface/solid/merge_pieces.hpp", quadratic, 200,
+     [](const Cloud& c) { (void)merge_pieces(exact_hull_of(c.a)); }},
+    {"split", "surface/solid/split.hpp", quadratic, 200,
      [](const Cloud& c) {
-       const TriangleMesh hull = hull_of(c.a);
-       ExactMesh mesh;
-       mesh.vertices.assign(hull.vertices.begin(), hull.vertices.end());
-       mesh.triangles = hull.triangles;
-       mesh.sources.resize(hull.triangles.size());
-       (void)merge_pieces(mesh);
+       (void)split(exact_hull_of(c.a), Plane3{{1, 1, 1}, c.a[0].x});
      }},
     {"round", "surface/solid/round.hpp", quartic, 100, [](const Cloud& c) { (void)round(resolve(hull_of(c.a))); }},
     {"repair", "surface/repair/repair.hpp", quartic, 2000, [](const Cloud& c) { (void)repair(c.mesh); }},

@@ -1,4 +1,5 @@
-// `plumb csg` and `plumb resolve` as a user meets them: what OpenSCAD exports, what crosses itself, what is refused.
+// `plumb csg`, `plumb resolve` and `plumb split` as a user meets them: what OpenSCAD exports, what crosses itself, what a
+// plane or a mesh parts, what is refused.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -154,6 +155,58 @@ TEST(ResolveCommand, MakesOneOfWhatCrossesItself) {
   const Outcome o = run(at(folder) + "resolve open.obj -o no.obj");
   EXPECT_EQ(o.code, 2);
   EXPECT_THAT(o.err, HasSubstr("open.obj: the mesh is open at the edge from ("));
+}
+
+TEST(SplitCommand, CutsByPlanesAndMeshes) {
+  const Folder folder;
+  write_mesh(folder / "a.obj", solids::box({0, 0, 0}, {2, 2, 2}));
+  write_mesh(folder / "b.obj", solids::box({1, 1, 1}, {3, 3, 3}));
+  EXPECT_EQ(run(at(folder) + "split a.obj --plane z=0.5 -o up.obj --other down.obj").out,
+            "a.obj: 8 vertices, 12 triangles, closed\n"
+            "above: 12 vertices, 20 triangles, volume 6\n"
+            "sound: no point moved\n"
+            "written: up.obj\n"
+            "below: 12 vertices, 20 triangles, volume 2\n"
+            "sound: no point moved\n"
+            "written: down.obj\n");
+  EXPECT_EQ(volume(read_mesh(folder / "up.obj")), 6);
+  EXPECT_EQ(volume(read_mesh(folder / "down.obj")), 2);
+  const auto volumes = [&](const std::string& line) {
+    const Outcome o =
+        run(at(folder) + "split a.obj " + line + " -o up.obj --other down.obj --overwrite --json out.json");
+    EXPECT_EQ(o.code, 0) << o.err;
+    const json said = json::parse(content(folder / "out.json"));
+    return std::pair<double, double>(said.at("split_parts").at(0).at("volume"),
+                                     said.at("split_parts").at(1).at("volume"));
+  };
+  EXPECT_EQ(volumes("--by b.obj"), std::pair(7.0, 1.0));
+  EXPECT_EQ(volumes("--by b.obj --merge"), std::pair(7.0, 1.0));
+  EXPECT_EQ(volumes("--plane 1,1,0,2"), std::pair(4.0, 4.0));
+  EXPECT_EQ(volumes("--plane 0,0,-1,-0.5"), std::pair(2.0, 6.0));
+  EXPECT_EQ(volumes("--plane 0,0,1,1,0,1,0,1,1"), std::pair(4.0, 4.0));
+  EXPECT_EQ(volumes("--plane z=2"), std::pair(0.0, 8.0));
+}
+
+TEST(SplitCommand, RefusesWhatItCannotCut) {
+  const Folder folder;
+  TriangleMesh open = solids::box({0, 0, 0}, {1, 1, 1});
+  write_mesh(folder / "a.obj", open);
+  open.triangles.pop_back();
+  write_mesh(folder / "open.obj", open);
+  for (const auto& [words, expected] : std::vector<std::pair<std::string, std::string>>{
+           {"a.obj -o o.obj", "by what is not said, or twice"},
+           {"a.obj --plane z=0.5 --by a.obj -o o.obj", "by what is not said, or twice"},
+           {"a.obj --plane z=0.5", "add '-o FILE'"},
+           {"a.obj --plane z=0:1:0.25 -o o.obj", "is 5 planes; one is taken at a time"},
+           {"a.obj --plane 0,0,0,1 -o o.obj", "has no normal"},
+           {"open.obj --plane z=0.5 -o o.obj", "open.obj: the mesh is open at the edge from ("},
+           {"a.obj --by open.obj -o o.obj", "run 'plumb repair open.obj -o MENDED' first"},
+           {"a.obj --plane z=0.5 -o a.obj", "a.obj"}}) {
+    const Outcome o = run(at(folder) + "split " + words);
+    EXPECT_EQ(o.code, 2) << words;
+    EXPECT_THAT(o.err, HasSubstr(expected)) << words;
+    EXPECT_EQ(run("ls " + (folder / "o.obj")).out, "") << words;
+  }
 }
 
 }  // namespace

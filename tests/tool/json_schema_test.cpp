@@ -91,6 +91,7 @@ const std::map<std::string, std::vector<std::string>>& asked() {
       {"replay", {"questions.txt", "--prove questions.txt"}},
       {"resolve", {"cube.obj -o r.obj", "--rule odd --merge far.obj -o q.obj"}},
       {"section", {"--plane z=0.5 cube.obj", "--plane z=0 --plane x=0.1 cube.obj", "--plane 1,1,1,0.5 open.obj"}},
+      {"split", {"cube.obj --plane z=0.5 -o p.obj", "cube.obj --by crossing.obj -o o.obj --other n.obj"}},
   };
   return all;
 }

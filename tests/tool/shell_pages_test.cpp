@@ -51,7 +51,7 @@ TEST(ManualPages, NameTheFormatsThatAreReadOnce) {
   const std::string all = "OBJ, OFF, STL, PLY, 3MF, glTF";
   EXPECT_THAT(run("$PLUMB help check").out, HasSubstr(all));
   for (const std::string command : {"boolean", "bounds", "bvh", "clash", "plan", "section", "convert", "intersect",
-                                    "distance", "inside", "nearest", "pairs", "repair", "resolve"}) {
+                                    "distance", "inside", "nearest", "pairs", "repair", "resolve", "split"}) {
     EXPECT_THAT(run("$PLUMB help " + command).out,
                 AllOf(HasSubstr("as `plumb check`"), Not(HasSubstr("PLY; text or binary"))))
         << command;
@@ -60,7 +60,7 @@ TEST(ManualPages, NameTheFormatsThatAreReadOnce) {
 
 TEST(ManualPages, AreWrittenWhereManAndShellsLook) {
   const Folder folder;
-  EXPECT_THAT(run("$PLUMB help --write-pages " + (folder / "share")).out, HasSubstr("34 files"));
+  EXPECT_THAT(run("$PLUMB help --write-pages " + (folder / "share")).out, HasSubstr("35 files"));
   EXPECT_EQ(content(folder / "share/man/man1/plumb.1"), run("$PLUMB help --roff").out);
   for (const std::string& command : commands())
     EXPECT_EQ(content(folder / ("share/man/man1/plumb-" + command + ".1")), run("$PLUMB help --roff " + command).out);

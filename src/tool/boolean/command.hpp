@@ -53,6 +53,15 @@ void add_rule(CLI::App* parser, BooleanOptions& options);
 /// The operation "resolve" is that of `plumb resolve`.
 int run_boolean(const BooleanOptions& options);
 
+struct BooleanReport {
+  std::string operation;
+  RoundedMesh result;
+  std::optional<double> volume;                 // none where it is not closed, or beyond all doubles
+  std::optional<std::string> written;           // the file
+  static constexpr std::size_t listed = 10;     // of the pairs that meet, in text
+  static constexpr std::size_t told = 100'000;  // in JSON
+};
+
 /// Throws Error where it is not said where the result of the command goes.
 void require_output(const std::string& command, const SolidOptions& options);
 /// Refuses outputs of the command that cannot be written, before anything is read.
@@ -62,19 +71,17 @@ void promise_solid(const std::string& command, const SolidOptions& options, Outp
 int conclude(const SolidOptions& options, const std::string& operation, const std::function<ExactMesh()>& combine,
              nlohmann::json said, OutputFiles& outputs);
 
+/// One of several results, rounded, judged and written behind that option; complains where it is not sound.
+BooleanReport finished(const SolidOptions& options, const std::string& operation, const ExactMesh& exact,
+                       const std::string& option, const std::string& path, OutputFiles& outputs);
+/// Promises the mesh of that option; a format that cannot be written is refused before anything is read.
+void promise_one(const std::string& option, const std::optional<std::string>& path, const SolidOptions& options,
+                 OutputFiles& outputs);
+
 /// "open at the edge from (0, 0, 0) to (1, 0, 0), of triangle 5", or that its triangles run against each other there.
 std::string unbalanced_text(const UnbalancedEdge& found);
 /// By `positive` what a mesh that is inside out encloses is outside, which is seldom meant.
 void complain_of_inside_out(const AskedMesh& asked, const std::string& mend);
-
-struct BooleanReport {
-  std::string operation;
-  RoundedMesh result;
-  std::optional<double> volume;                 // none where it is not closed, or beyond all doubles
-  std::optional<std::string> written;           // the file
-  static constexpr std::size_t listed = 10;     // of the pairs that meet, in text
-  static constexpr std::size_t told = 100'000;  // in JSON
-};
 
 std::string boolean_text(const BooleanReport& report, const Style& style);
 /// Leaves out what a report begins with.

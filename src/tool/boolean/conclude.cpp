@@ -43,19 +43,38 @@ void require_output(const std::string& command, const SolidOptions& options) {
   if (!options.output) throw Error(command + ": where the result goes is not said; add '-o FILE'");
 }
 
+void promise_one(const std::string& option, const std::optional<std::string>& path, const SolidOptions& options,
+                 OutputFiles& outputs) {
+  if (!path) return;
+  format_mesh(PolygonMesh{}, *path, writing_to(*path));
+  outputs.promise_mesh(option, path, options.overwrite ? surface::Replacing::yes : surface::Replacing::no,
+                       "give another name, or --overwrite to replace it");
+}
+
 void promise_solid(const std::string& command, const SolidOptions& options, OutputFiles& outputs) {
   require_output(command, options);
-  // A format that cannot be written is refused before anything is read.
-  format_mesh(PolygonMesh{}, *options.output, writing_to(*options.output));
-  outputs.promise_mesh("--output", options.output, options.overwrite ? surface::Replacing::yes : surface::Replacing::no,
-                       "give another name, or --overwrite to replace it");
+  promise_one("--output", options.output, options, outputs);
   outputs.promise("--json", options.json);
+}
+
+BooleanReport finished(const SolidOptions& options, const std::string& operation, const ExactMesh& exact,
+                       const std::string& option, const std::string& path, OutputFiles& outputs) {
+  BooleanReport report{operation, round(exact, {.rounds = options.rounds}), {}, {}};
+  report.volume = volume_if_any(report.result.mesh);
+  if (report.result.sound || options.unsound) {
+    report.written = path;
+    outputs.write(option, format_mesh(to_polygons(report.result.mesh), path, writing_to(path)));
+  } else {
+    complain(
+        "the result is not sound when it is rounded, and is not written; allow more '--rounds', or take it as it is by "
+        "'--unsound'");
+  }
+  return report;
 }
 
 int conclude(const SolidOptions& options, const std::string& operation, const std::function<ExactMesh()>& combine,
              nlohmann::json said, OutputFiles& outputs) {
-  const bool says = !outputs.on_standard_output();
-  BooleanReport report{operation, {}, {}, {}};
+  std::optional<BooleanReport> report;
   {
     Progress bar(operation, 3);
     bar.note("combining");
@@ -63,24 +82,13 @@ int conclude(const SolidOptions& options, const std::string& operation, const st
     const ExactMesh exact = combine();
     bar.note("rounding");
     bar.advance();
-    report.result = round(exact, {.rounds = options.rounds});
+    report = finished(options, operation, exact, "--output", *options.output, outputs);
   }
-  report.volume = volume_if_any(report.result.mesh);
-  const bool writes = report.result.sound || options.unsound;
-  if (writes) {
-    report.written = *options.output;
-    outputs.write("--output",
-                  format_mesh(to_polygons(report.result.mesh), *options.output, writing_to(*options.output)));
-  }
-  if (says) say(boolean_text(report, Style(stdout)));
-  if (!writes)
-    complain(
-        "the result is not sound when it is rounded, and is not written; allow more '--rounds', or take it as it is by "
-        "'--unsound'");
-  said.update(boolean_json(report));
+  if (!outputs.on_standard_output()) say(boolean_text(*report, Style(stdout)));
+  said.update(boolean_json(*report));
   if (options.json) outputs.write("--json", json_text(said));
   outputs.keep();
-  return report.result.sound ? 0 : 1;
+  return report->result.sound ? 0 : 1;
 }
 
 }  // namespace plumb::tool

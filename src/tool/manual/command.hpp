@@ -66,6 +66,7 @@ Command replay_command(CLI::App& program);
 Command resolve_command(CLI::App& program);
 Command section_command(CLI::App& program);
 Command sign_command(CLI::App& program);
+Command split_command(CLI::App& program);
 
 /// The page of a command, or of the program, on standard output.
 void show_page(const CLI::App& program, const Command* command, Manual (*of_program)());

@@ -47,6 +47,7 @@ Manual replay_manual();
 Manual resolve_manual();
 Manual section_manual();
 Manual sign_manual();
+Manual split_manual();
 Manual proof_manual();
 Manual doctor_manual();
 

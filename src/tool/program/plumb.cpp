@@ -10,13 +10,13 @@ namespace plumb::tool {
 namespace {
 
 std::vector<Command> commands_of(CLI::App& app) {
-  return {bounds_command(app),  check_command(app),     fuzz_command(app),     plan_command(app),
-          sign_command(app),    proof_command(app),     doctor_command(app),   ray_command(app),
-          bvh_command(app),     intersect_command(app), distance_command(app), convex_command(app),
-          inside_command(app),  nearest_command(app),   pairs_command(app),    section_command(app),
-          convert_command(app), repair_command(app),    closest_command(app),  hausdorff_command(app),
-          csg_command(app),     resolve_command(app),   parts_command(app),    boolean_command(app),
-          replay_command(app),  bsp_command(app),       clash_command(app),    collect_command(app)};
+  return {
+      bounds_command(app),   check_command(app),   fuzz_command(app),   plan_command(app),    sign_command(app),
+      proof_command(app),    doctor_command(app),  ray_command(app),    bvh_command(app),     intersect_command(app),
+      distance_command(app), convex_command(app),  inside_command(app), nearest_command(app), pairs_command(app),
+      section_command(app),  convert_command(app), repair_command(app), closest_command(app), hausdorff_command(app),
+      csg_command(app),      resolve_command(app), split_command(app),  parts_command(app),   boolean_command(app),
+      replay_command(app),   bsp_command(app),     clash_command(app),  collect_command(app)};
 }
 
 std::string instead_of(const std::string& word) {
