@@ -1,8 +1,11 @@
-"""Shards of a corpus on Dask: on this machine, on a scheduler with two workers of which one is lost; what is missing."""
+"""Shards of a corpus on Dask: on this machine, on a scheduler with two workers of which one is lost; what is missing; by
+the job files for Slurm and GNU parallel."""
 
+import getpass
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -163,3 +166,98 @@ def test_refuses_what_cannot_be(models, tmp_path):
     assert "of a folder" in nowhere.failed[0][1]
     run = run_module(models, "--out", tmp_path / "out", "--program", program(), "--shards", 1, "--", "--nobody")
     assert run.returncode == 2 and "--nobody" in run.stderr
+
+
+JOBS = TREE / "docs" / "examples" / "corpus"
+
+
+def job_settings(models, out):
+    return {**os.environ, "MODELS": str(models), "FOUND": str(out), "SHARDS": "3", "PLUMB": program()}
+
+
+@pytest.mark.parametrize("name", ["slurm.sh", "parallel.sh"])
+def test_job_files_are_scripts(name):
+    subprocess.run(["bash", "-n", str(JOBS / name)], check=True)
+    empty = subprocess.run(["bash", str(JOBS / name)], capture_output=True, text=True, check=False, env={"PATH": os.environ["PATH"]})
+    assert empty.returncode != 0 and "the folder of models" in empty.stderr
+
+
+def without_pipes(models):
+    """The job files allow ten minutes a model."""
+    for pipe in models.glob("endless*"):
+        pipe.unlink()
+        pipe.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+
+
+def test_by_parallel(models, tmp_path):
+    if shutil.which("parallel") is None:
+        pytest.skip("GNU parallel is not installed")
+    without_pipes(models)
+    out = tmp_path / "out"
+    run = subprocess.run([str(JOBS / "parallel.sh"), str(models), str(out), "3"], capture_output=True, text=True,
+                         check=False, env=job_settings(models, out))
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.splitlines()[-1] == digest_of_one(models, tmp_path / "one")
+
+
+def slurm_on_loopback(folder, log):
+    """A controller and a machine, this one; the configuration's path."""
+    with socket.socket() as first, socket.socket() as second:
+        first.bind(("127.0.0.1", 0))
+        second.bind(("127.0.0.1", 0))
+        ports = first.getsockname()[1], second.getsockname()[1]
+    host, user = socket.gethostname().split(".")[0], getpass.getuser()
+    for name in ("state", "spool"):
+        (folder / name).mkdir()
+    configuration = folder / "slurm.conf"
+    configuration.write_text(f"""ClusterName=loopback
+SlurmctldHost={host}(127.0.0.1)
+AuthType=auth/none
+CredType=cred/none
+SlurmUser={user}
+SlurmdUser={user}
+SlurmctldPort={ports[0]}
+SlurmdPort={ports[1]}
+StateSaveLocation={folder}/state
+SlurmdSpoolDir={folder}/spool
+SlurmctldPidFile={folder}/controller.pid
+SlurmdPidFile={folder}/machine.pid
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+MpiDefault=none
+NodeName={host} NodeAddr=127.0.0.1 CPUs=2 RealMemory=8000 State=UNKNOWN
+PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
+""")
+    return configuration, [subprocess.Popen([daemon, "-D", "-f", str(configuration)], stdout=log, stderr=log)
+                           for daemon in ("slurmctld", "slurmd")]
+
+
+def test_by_slurm(models, tmp_path):
+    if any(shutil.which(name) is None for name in ("slurmctld", "slurmd", "sbatch", "sinfo")):
+        pytest.skip("slurmctld and slurmd are not installed")
+    without_pipes(models)
+    out = tmp_path / "out"
+    with open(tmp_path / "log", "w", encoding="utf-8") as log:
+        configuration, daemons = slurm_on_loopback(tmp_path, log)
+        environment = {**job_settings(models, out), "SLURM_CONF": str(configuration)}
+        try:
+            until, state = time.monotonic() + 30, ""
+            while "idle" not in state:
+                if time.monotonic() > until:
+                    pytest.skip("Slurm does not start here: " + (tmp_path / "log").read_text()[-300:])
+                time.sleep(0.5)
+                state = subprocess.run(["sinfo", "-h"], capture_output=True, text=True, check=False, env=environment).stdout
+            job = [str(JOBS / "slurm.sh")]
+            tried = subprocess.run(["sbatch", "--test-only", "--array=1-3", *job], capture_output=True, text=True,
+                                   check=False, env=environment, cwd=tmp_path)
+            assert tried.returncode == 0, tried.stderr
+            run = subprocess.run(["sbatch", "--wait", "--array=1-3", *job], capture_output=True, text=True, check=False,
+                                 env=environment, cwd=tmp_path, timeout=120)
+            assert run.returncode == 0, run.stderr + "".join(p.read_text() for p in tmp_path.glob("plumb-*.txt"))
+        finally:
+            for daemon in reversed(daemons):
+                daemon.terminate()
+                daemon.wait()
+    assert digest(out) == digest_of_one(models, tmp_path / "one")
