@@ -109,6 +109,15 @@ plumb_status plumb_mesh_sections(const plumb_mesh* mesh, const plumb_figure* pla
 plumb_status plumb_contours_of(const plumb_contours* contours, const plumb_contour** each, size_t* count);
 void plumb_contours_destroy(plumb_contours* contours);
 
+/* The two sides of a plane (of three points or a normal) of the solid that a closed mesh bounds, each rounded; they have
+ * the same corners where they are cut.  The normal's side is `above`.  The reports may be NULL. */
+plumb_status plumb_mesh_split(const plumb_mesh* mesh, const plumb_figure* plane, plumb_mesh** above,
+                              plumb_mesh** below, plumb_solid_report* of_above, plumb_solid_report* of_below);
+/* The solid around which a closed mesh, which may cross itself, winds as a plumb_winding_rule says; where it merges, all
+ * that lies in one plane becomes as few triangles as can be.  The report may be NULL. */
+plumb_status plumb_mesh_resolve(const plumb_mesh* mesh, int rule, int merges, plumb_mesh** result,
+                                plumb_solid_report* report);
+
 /* ---- repair, covers ---- */
 
 /* The steps of plumb/surface/repair/repair.hpp. */

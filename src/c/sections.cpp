@@ -3,9 +3,12 @@
 #include "c/figures.hpp"
 #include "c/handles.hpp"
 #include "plumb/surface/section/section.hpp"
+#include "plumb/surface/solid/boolean.hpp"
+#include "plumb/surface/solid/round.hpp"
+#include "plumb/surface/solid/split.hpp"
 
 using namespace plumb;
-using c::guarded, c::need;
+using c::guarded, c::need, c::need_size;
 
 struct plumb_contours {
   std::vector<std::vector<Point3>> points;
@@ -21,6 +24,11 @@ AnyPlane3 plane_in(const plumb_figure* given) {
     if (const auto* plane = get_if<ThreePointPlane3>(figure)) return *plane;
   }
   throw Unsupported("planes are of three points or of a normal, without a pose");
+}
+
+plumb_mesh* told_solid(RoundedMesh made, plumb_solid_report* report) {
+  if (report != nullptr) c::write(report, plumb_solid_report{0, made.sound, made.moved});
+  return new plumb_mesh{std::move(made.mesh)};
 }
 
 void add_contours(const Section& cut, std::size_t plane, plumb_contours& to) {
@@ -65,5 +73,34 @@ plumb_status plumb_contours_of(const plumb_contours* contours, const plumb_conto
 }
 
 void plumb_contours_destroy(plumb_contours* contours) { delete contours; }
+
+plumb_status plumb_mesh_split(const plumb_mesh* mesh, const plumb_figure* plane, plumb_mesh** above, plumb_mesh** below,
+                              plumb_solid_report* of_above, plumb_solid_report* of_below) {
+  return guarded("plumb_mesh_split", [&] {
+    need(mesh, "mesh");
+    need(plane, "plane");
+    need(above, "above");
+    need(below, "below");
+    if (of_above != nullptr) need_size(of_above, "of_above");
+    if (of_below != nullptr) need_size(of_below, "of_below");
+    const SplitSolid halves = split(resolve(mesh->mesh), plane_in(plane));
+    RoundedMesh upper = round(halves.above), lower = round(halves.below);
+    std::unique_ptr<plumb_mesh> first(told_solid(std::move(upper), of_above));
+    *below = told_solid(std::move(lower), of_below);
+    *above = first.release();
+  });
+}
+
+plumb_status plumb_mesh_resolve(const plumb_mesh* mesh, int rule, int merges, plumb_mesh** result,
+                                plumb_solid_report* report) {
+  return guarded("plumb_mesh_resolve", [&] {
+    need(mesh, "mesh");
+    need(result, "result");
+    if (report != nullptr) need_size(report, "report");
+    c::need_choice(rule, PLUMB_POSITIVE, "rule");
+    const Pieces pieces = merges != 0 ? Pieces::of_polygons : Pieces::of_triangles;
+    *result = told_solid(round(resolve(mesh->mesh, static_cast<WindingRule>(rule), pieces)), report);
+  });
+}
 
 }  // extern "C"

@@ -19,10 +19,10 @@ IS_LARGE(plumb_clash_pair, 16);
 IS_LARGE(plumb_clash_options, 40);
 #endif
 
-/* A cube of side 2 without its top (z = 2): its last two triangles. */
-static const uint32_t sides[30] = {0, 2, 3, 0, 3, 1, 0, 1, 5, 0, 5, 4, 2, 6, 7,
-                                   2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-static plumb_mesh* open_cube(void) {
+/* A cube of side 2; its top (z = 2) is its last two triangles. */
+static const uint32_t sides[36] = {0, 2, 3, 0, 3, 1, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3,
+                                   0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 4, 5, 7, 4, 7, 6};
+static plumb_mesh* cube_of(size_t triangles) {
   double corners[24];
   plumb_mesh* mesh = NULL;
   int i;
@@ -31,9 +31,10 @@ static plumb_mesh* open_cube(void) {
     corners[3 * i + 1] = i & 2;
     corners[3 * i + 2] = (i & 4) / 2;
   }
-  EXPECT_STATUS(plumb_mesh_create(corners, 8, sides, 10, &mesh), PLUMB_OK);
+  EXPECT_STATUS(plumb_mesh_create(corners, 8, sides, triangles, &mesh), PLUMB_OK);
   return mesh;
 }
+static plumb_mesh* open_cube(void) { return cube_of(10); }
 
 static void ask_topology(void) {
   plumb_mesh* mesh = open_cube();
@@ -178,6 +179,45 @@ static void ask_sections(void) {
   EXPECT(count == 0);
   plumb_contours_destroy(contours);
   plumb_mesh_destroy(mesh);
+}
+
+static void ask_halves(void) {
+  plumb_mesh* cube = cube_of(12);
+  plumb_mesh *above = NULL, *below = NULL, *whole = NULL;
+  plumb_solid_report reports[2];
+  plumb_figure plane = figure(PLUMB_PLANE, 3);
+  const double* corners = NULL;
+  const uint32_t* triangles = NULL;
+  size_t count = 0, i;
+
+  for (i = 0; i < 2; ++i) reports[i].size = sizeof reports[i];
+  plane.as.plane3.normal[2] = 1;
+  plane.as.plane3.offset = 0.25;
+  EXPECT_STATUS(plumb_mesh_split(cube, &plane, &above, &below, &reports[0], &reports[1]), PLUMB_OK);
+  EXPECT(reports[0].is_sound && reports[1].is_sound && reports[0].moved == 0 && reports[1].moved == 0);
+  EXPECT_STATUS(plumb_mesh_vertices(below, &corners, &count), PLUMB_OK);
+  EXPECT(count >= 8);
+  for (i = 0; i < count; ++i) EXPECT(corners[3 * i + 2] == 0 || corners[3 * i + 2] == 0.25);
+  plumb_mesh_destroy(below);
+  EXPECT_STATUS(plumb_mesh_resolve(above, PLUMB_POSITIVE, 1, &whole, &reports[0]), PLUMB_OK);
+  EXPECT_STATUS(plumb_mesh_triangles(whole, &triangles, &count), PLUMB_OK);
+  EXPECT(reports[0].is_sound && triangles != NULL && count == 12);
+  plumb_mesh_destroy(whole);
+  plumb_mesh_destroy(above);
+
+  above = below = whole = NULL;
+  EXPECT_STATUS(plumb_mesh_split(cube, &plane, &above, NULL, NULL, NULL), PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_mesh_split(cube, NULL, &above, &below, NULL, NULL), PLUMB_INVALID_ARGUMENT);
+  plane.as.plane3.normal[2] = 0;
+  EXPECT_STATUS(plumb_mesh_split(cube, &plane, &above, &below, NULL, NULL), PLUMB_INVALID_SHAPE);
+  plane = figure(PLUMB_BALL, 3);
+  EXPECT_STATUS(plumb_mesh_split(cube, &plane, &above, &below, NULL, NULL), PLUMB_UNSUPPORTED);
+  EXPECT_STATUS(plumb_mesh_resolve(cube, 9, 0, &whole, NULL), PLUMB_INVALID_ARGUMENT);
+  EXPECT(above == NULL && below == NULL && whole == NULL);
+  plumb_mesh_destroy(cube);
+  cube = open_cube();
+  EXPECT_STATUS(plumb_mesh_resolve(cube, PLUMB_ODD, 0, &whole, NULL), PLUMB_INVALID_SHAPE);
+  plumb_mesh_destroy(cube);
 }
 
 struct told {
@@ -392,6 +432,7 @@ int main(void) {
   ask_topology();
   ask_welding();
   ask_sections();
+  ask_halves();
   ask_repair();
   ask_plane();
   ask_clashes();

@@ -170,6 +170,59 @@ def test_solids_of_solids_have_their_volumes():
         plumb.unite(3)
 
 
+def test_trees_of_solids_are_exact_to_the_end():
+    source = random.Random(SEED + 7)
+    for _ in range(20):
+        a, b, c = (cube([source.randint(0, 2) for _ in range(3)]) for _ in range(3))
+        tree = ("subtract", ("unite", a, b), c)
+        step = plumb.subtract(plumb.unite(a, b).mesh, c)
+        told = plumb.evaluate(tree)
+        assert told.sound and volume(told.mesh) == volume(step.mesh)
+        odd = plumb.evaluate(("symmetric_difference", a, b, c), merge=True)
+        assert volume(odd.mesh) == volume(plumb.symmetric_difference(a, b, c).mesh)
+        assert volume(plumb.evaluate(("intersect", a, ("unite", b, c))).mesh) == volume(
+            plumb.evaluate(("unite", ("intersect", a, b), ("intersect", a, c))).mesh
+        )
+    box = plumb.Aabb3([0, 0, 0], [2, 2, 2])
+    assert volume(plumb.evaluate(box).mesh) == 6 * 8
+    assert volume(plumb.evaluate(("subtract", box, cube([1, 1, 1]))).mesh) == 6 * 7
+    for wrong in (plumb.Sphere3([0, 0, 0], 1), ("unite",), ("join", box, box), ("unite", box, "box"), (box, box)):
+        with pytest.raises((ValueError, TypeError), match="evaluate"):
+            plumb.evaluate(wrong)
+
+
+def test_planes_split_solids_into_all_of_them():
+    source = random.Random(SEED + 8)
+    for _ in range(40):
+        normal = [source.randint(-2, 2) for _ in range(3)]
+        plane = plumb.Plane3(normal, source.randint(-3, 3) / 2)
+        if not any(normal):
+            with pytest.raises(ValueError, match="normal"):
+                plumb.split(cube(), plane)
+            continue
+        halves = plumb.split(cube(), plane)
+        assert all(h.sound for h in halves)
+        if all(h.moved == 0 for h in halves):
+            assert sum(volume(h.mesh) for h in halves) == 6 * 8
+        for h, way in zip(halves, (1, -1)):
+            beyond = way * (h.mesh.vertices @ normal - plane.offset)
+            assert len(beyond) == 0 or beyond.min() >= -1e-12
+            assert (np.all(h.sources[h.sources[:, 0] < 0] == -1)) and len(h.sources) == len(h.mesh.faces)
+    with pytest.raises(ValueError, match="split"):
+        plumb.split(cube(), plumb.Sphere3([0, 0, 0], 1))
+
+
+def test_what_crosses_itself_is_resolved_by_a_rule():
+    twice = plumb.Mesh(
+        np.concatenate([cube().vertices, cube([1, 0, 0]).vertices]),
+        np.concatenate([cube().faces, cube().faces + len(cube().vertices)]),
+    )
+    assert volume(plumb.resolve(twice).mesh) == volume(plumb.resolve(twice, "nonzero").mesh) == 6 * 12
+    assert volume(plumb.resolve(twice, "odd", merge=True).mesh) == 6 * 8
+    with pytest.raises(ValueError, match="rule"):
+        plumb.resolve(twice, "even")
+
+
 def test_polygons_are_cut_without_losing_area():
     source = random.Random(SEED + 1)
     for _ in range(60):

@@ -224,7 +224,7 @@ std::vector<Defective> defective_meshes() {
       {"internal-wall", with(cube, wall), "1 wall inside of a solid; 4 vertices on edges (T-junctions); 4 open edges",
        "leave out walls inside of solids; divide edges where a vertex is left on them; part triangles"},
       {"crossing-shells", with(cube, solids::box({2, 1, 1}, {6, 3, 3})), "2 shells that cross others",
-       "unite or part shells that cross;"},
+       "unite shells that cross (`plumb resolve`), or part them;"},
   };
 }
 

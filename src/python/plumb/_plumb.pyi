@@ -96,6 +96,7 @@ __all__ = [
     "dot_sign",
     "first_contact",
     "first_hit",
+    "evaluate",
     "fit_aabb",
     "in_power_circle",
     "in_power_sphere",
@@ -125,10 +126,12 @@ __all__ = [
     "read_mesh",
     "relate",
     "repair",
+    "resolve",
     "sections",
     "side_of_line",
     "side_of_plane",
     "sign_of_radicals",
+    "split",
     "squared_distance",
     "subtract",
     "support_point",
@@ -771,6 +774,9 @@ def unite(*meshes: Mesh, merge: bool = False) -> answers.Combined: ...
 def intersect(*meshes: Mesh, merge: bool = False) -> answers.Combined: ...
 def subtract(*meshes: Mesh, merge: bool = False) -> answers.Combined: ...
 def symmetric_difference(*meshes: Mesh, merge: bool = False) -> answers.Combined: ...
+def resolve(mesh: Mesh, rule: str = "positive", *, merge: bool = False) -> answers.Combined: ...
+def split(mesh: Mesh, plane: Figure) -> tuple[answers.Combined, answers.Combined]: ...
+def evaluate(tree: Any, *, merge: bool = False) -> answers.Combined: ...
 def sections(mesh: Mesh, planes: Sequence[Figure], *, on_plane: str = "above") -> list[list[answers.Contour]]: ...
 
 _generated_classes: tuple[str, ...]

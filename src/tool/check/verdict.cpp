@@ -40,7 +40,7 @@ std::array<std::string, surface::fault_kinds> mends_of(const MeshStatistics& m, 
       "split non-manifold vertices, one for each fan",
       "wind neighbors alike",
       turning_advice(s),
-      "unite or part shells that cross",
+      "unite shells that cross (`plumb resolve`), or part them",
       "part triangles that overlap (`plumb intersect --obj` shows them)",
       m.repeated_vertices != 0 ? "" : "part triangles that touch (`plumb intersect --obj` shows them)",
       ""};
