@@ -135,7 +135,12 @@ void tell_solids(const ClashPart& a, const ClashPart& b, bool measure, FoundClas
   Clash& clash = found.clash;
   Seen seen;
   // Whatever crosses will need the arrangement; that it does is no more than a guess that insides meet.
-  if (!any_crosses(a, b, clash.meeting)) {
+  const bool crosses = any_crosses(a, b, clash.meeting);
+  if (crosses && !measure && a.is_simple() && b.is_simple() && stay_one_piece_each(a, b, clash.meeting)) {
+    clash.kind = ClashKind::overlapping;
+    return;
+  }
+  if (!crosses) {
     seen = look(a, b, clash.meeting);
     if (!seen.at.a_in_b && !seen.at.b_in_a && !seen.at.same_side) {
       if (!clash.meeting.empty()) clash.kind = ClashKind::touching;

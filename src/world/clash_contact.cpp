@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
+#include <set>
 #include <tuple>
+#include <vector>
 
 #include "plumb/space/bvh/build.hpp"
 #include "plumb/space/range/range_search.hpp"
@@ -52,15 +56,52 @@ class CutContact {
  public:
   CutContact(const ClashPart& a, const ClashPart& b, const FacePool& pool, const FacetList& list,
              const PointTable& table)
-      : parts_{&a, &b}, list_(list), table_(table), jumps_(list.facets.size()) {
+      : parts_{&a, &b}, pool_(pool), list_(list), table_(table), jumps_(list.facets.size()) {
     for (std::size_t f = 0; f < jumps_.size(); ++f)
       for (const surface::CoveringFace& by : list.covers_of(f))
         for (const FacetSource& use : pool.uses_of(by.face))
           jumps_[f][use.face.mesh] += parts_[use.face.mesh]->is_solid() && by.opposite != use.opposite ? -1 : 1;
   }
 
+  /// As stay_one_piece_each; `met` are the triangles of each part that meet the other.
+  [[nodiscard]] bool is_one_piece_each(const std::array<std::vector<std::uint32_t>, 2>& met) const {
+    for (std::uint32_t f = 0; f < jumps_.size(); ++f)
+      if (owners(f) == 3) return false;
+    const std::vector<AtEdge> edges = facets_at_edges();
+    surface::DisjointSets groups =
+        joined(edges, jumps_.size() + parts_[0]->mesh().triangles.size() + parts_[1]->mesh().triangles.size());
+    join_uncut(met, groups);
+    std::map<std::uint32_t, bool> is_in;  // each group of facets: in the other part
+    bool any_in = false;
+    for (std::uint32_t f = 0; f < jumps_.size(); ++f) {
+      if (owners(f) == 0) continue;
+      const auto [at, is_new] = is_in.try_emplace(groups.find(f), false);
+      if (is_new) at->second = winding(line_from(f), owners(f) == 1 ? 1 : 0) != 0;
+      any_in |= at->second;
+    }
+    if (!any_in) return false;
+    for (const int whole : {1, 2}) {  // of whom the rest is looked at
+      const auto borders = [&](std::uint32_t f) { return is_in.at(groups.find(f)) != (owners(f) == whole); };
+      surface::DisjointSets rest = groups;
+      bool plain = true;
+      for_edges(edges, [&](std::span<const AtEdge> here, int all) {
+        if (all != 3) return;
+        std::vector<std::uint32_t> around;
+        for (const AtEdge& e : here)
+          if (borders(e.facet)) around.push_back(e.facet);
+        if (around.size() == 2) rest.unite(around[0], around[1]);
+        plain = plain && (around.empty() || around.size() == 2);
+      });
+      std::set<std::uint32_t> pieces;
+      for (std::uint32_t f = 0; f < jumps_.size(); ++f)
+        if (owners(f) != 0 && borders(f)) pieces.insert(rest.find(f));
+      if (!plain || pieces.size() != 1) return false;
+    }
+    return true;
+  }
+
   Lying look() {
-    surface::DisjointSets groups = joined();
+    surface::DisjointSets groups = joined(facets_at_edges(), jumps_.size());
     Lying found;
     for (std::uint32_t f = 0; f < jumps_.size(); ++f) {
       if (groups.find(f) != f) continue;
@@ -80,11 +121,11 @@ class CutContact {
   /// Who has the facet: a, b or both; what cancels is nobody's.
   [[nodiscard]] int owners(std::uint32_t f) const { return (jumps_[f][0] != 0 ? 1 : 0) | (jumps_[f][1] != 0 ? 2 : 0); }
 
-  /// Facets of one alone that are connected apart from the other, and those of both that go on in one plane.
-  surface::DisjointSets joined() {
-    struct AtEdge {
-      std::uint32_t a, b, facet;
-    };
+  struct AtEdge {
+    std::uint32_t a, b, facet;
+  };
+  /// Facets of anybody at each edge, one edge after the other.
+  [[nodiscard]] std::vector<AtEdge> facets_at_edges() const {
     std::vector<AtEdge> at;
     for (std::uint32_t f = 0; f < jumps_.size(); ++f) {
       if (owners(f) == 0) continue;
@@ -95,19 +136,68 @@ class CutContact {
     }
     std::ranges::sort(
         at, [](const AtEdge& l, const AtEdge& r) { return std::tie(l.a, l.b, l.facet) < std::tie(r.a, r.b, r.facet); });
-    surface::DisjointSets groups(jumps_.size());
+    return at;
+  }
+  /// The work is given the facets at an edge, and who has any of them.
+  template <class Work>
+  void for_edges(std::span<const AtEdge> at, const Work& work) const {
     for (std::size_t i = 0, next = 0; i < at.size(); i = next) {
       int all = 0;
       for (next = i; next < at.size() && at[next].a == at[i].a && at[next].b == at[i].b; ++next)
         all |= owners(at[next].facet);
-      const std::uint32_t first = at[i].facet, last = at[next - 1].facet;
-      const bool flat = next - i == 2 && owners(first) == 3 && owners(last) == 3 &&
+      work(at.subspan(i, next - i), all);
+    }
+  }
+
+  /// Facets of one alone that are connected apart from the other, and those of both that go on in one plane.
+  [[nodiscard]] surface::DisjointSets joined(std::span<const AtEdge> edges, std::size_t nodes) const {
+    surface::DisjointSets groups(nodes);
+    for_edges(edges, [&](std::span<const AtEdge> here, int all) {
+      const std::uint32_t first = here.front().facet, last = here.back().facet;
+      const bool flat = here.size() == 2 && owners(first) == 3 && owners(last) == 3 &&
                         list_.plane_of[first] == list_.plane_of[last] && list_.plane_of[first] != surface::none &&
                         jumps_[first] == jumps_[last];
       if (all != 3 || flat)
-        for (std::size_t k = i + 1; k < next; ++k) groups.unite(first, at[k].facet);
-    }
+        for (const AtEdge& other : here) groups.unite(first, other.facet);
+    });
     return groups;
+  }
+
+  /// Nodes are facets, and behind them the triangles of both parts: those that nothing cuts are united with their neighbors.
+  void join_uncut(const std::array<std::vector<std::uint32_t>, 2>& met, surface::DisjointSets& groups) const {
+    const auto facets = static_cast<std::uint32_t>(jumps_.size());
+    std::array<std::uint32_t, 2> first{facets, facets};
+    first[1] += static_cast<std::uint32_t>(parts_[0]->mesh().triangles.size());
+    std::array<std::vector<std::uint8_t>, 2> is_met;
+    for (std::size_t part = 0; part < 2; ++part) {
+      is_met[part].resize(parts_[part]->mesh().triangles.size());
+      for (const std::uint32_t t : met[part]) is_met[part][t] = 1;
+      for (std::uint32_t t = 0; t < is_met[part].size(); ++t)
+        for (const std::uint32_t n : parts_[part]->neighbors()[t])
+          if (is_met[part][t] == 0 && is_met[part][n] == 0) groups.unite(first[part] + t, first[part] + n);
+    }
+    // An edge to a triangle that does not meet the other part is whole, so it is that of a facet.
+    for (std::uint32_t f = 0; f < facets; ++f) {
+      const auto covers = list_.covers_of(f);
+      if (owners(f) == 0 || covers.empty()) continue;
+      const SourceFace from = pool_.uses_of(covers.front().face).front().face;
+      const std::uint32_t t = met[from.mesh][from.triangle];
+      const TriangleMesh& mesh = parts_[from.mesh]->mesh();
+      const auto corner_at = [&](std::uint32_t point) -> std::optional<std::size_t> {
+        const ExactPoint3 exact = table_.point(point);
+        const auto* given = std::get_if<Point3>(&exact.as());
+        for (std::size_t k = 0; k < 3; ++k)
+          if (given != nullptr && mesh.vertices[mesh.triangles[t][k]] == *given) return k;
+        return {};
+      };
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = corner_at(list_.facets[f][k]), j = corner_at(list_.facets[f][(k + 1) % 3]);
+        if (!i || !j) continue;
+        const std::size_t edge = (*i + 1) % 3 == *j ? *i : *j;
+        const std::uint32_t n = parts_[from.mesh]->neighbors()[t][edge];
+        if (is_met[from.mesh][n] == 0) groups.unite(f, first[from.mesh] + n);
+      }
+    }
   }
 
   [[nodiscard]] surface::LineFromFacet line_from(std::uint32_t f) const {
@@ -139,20 +229,37 @@ class CutContact {
   }
 
   std::array<const ClashPart*, 2> parts_;
+  const FacePool& pool_;
   const FacetList& list_;
   const PointTable& table_;
   std::vector<std::array<int, 2>> jumps_;  // from above a facet to below, of each solid; of a sheet its triangles there
 };
 
-}  // namespace
-
-Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs) {
+template <class Work>
+auto with_cut_contact(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs, const Work& work) {
   const auto meshes = meeting_triangles(a, b, pairs);
   const FacePool pool = surface::pool_open_faces(meshes);
   PointTable table(pool.mesh.vertices);
   const auto classes = surface::find_plane_classes(pool, build_bvh(pool.mesh), table);
   const FacetList list = surface::divide_planes(pool, table, classes);
-  return CutContact(a, b, pool, list, table).look();
+  CutContact cut(a, b, pool, list, table);
+  return work(cut);
+}
+
+}  // namespace
+
+bool stay_one_piece_each(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs) {
+  std::array<std::vector<std::uint32_t>, 2> met;
+  for (const TrianglePair& p : pairs) met[0].push_back(p.a), met[1].push_back(p.b);
+  for (std::vector<std::uint32_t>& triangles : met) {
+    std::ranges::sort(triangles);
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  }
+  return with_cut_contact(a, b, pairs, [&](CutContact& cut) { return cut.is_one_piece_each(met); });
+}
+
+Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs) {
+  return with_cut_contact(a, b, pairs, [](CutContact& cut) { return cut.look(); });
 }
 
 }  // namespace plumb::world

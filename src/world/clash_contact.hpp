@@ -3,8 +3,11 @@
 // Laws: exact.  Only triangles that meet are cut.  Of two solids whose other shells are looked at besides, insides meet
 // if and only if one of a_in_b, b_in_a and same_side is true: the border of a common part has a facet of one in the
 // other, or one of both with both on the same side.
+// What is left of a simple solid without another has a border of facets of the one outside of the other and of the other
+// inside of the one.  Where each edge of it has two of them, a piece has a border of its own, so one border is one piece.
 // Source: Zhou et al. 2016 (facets and their windings).
-// Cost: that of an arrangement of the triangles that meet, and a line through both meshes for each group of facets.
+// Cost: that of an arrangement of the triangles that meet, and a line through both meshes for each group of facets; for
+// pieces all triangles are walked over besides.
 #pragma once
 
 #include <span>
@@ -18,6 +21,10 @@ struct Lying {
   bool b_in_a = false, b_off_a = false;
   bool same_side = false;  // facets of both, and two insides beside them
 };
+
+/// Do insides of two simple solids meet, and is each, less the other, one piece?  False where that is not seen so: in a plane
+/// of both, or at an edge with more than two facets around such a rest.
+bool stay_one_piece_each(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs);
 
 /// The pairs are those of all triangles that meet.
 Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs);

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <mutex>
 #include <tuple>
+#include <utility>
 
 #include "plumb/predicates.hpp"
+#include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/surface/solid/arrangement.hpp"
 #include "plumb/surface/topology/components.hpp"
 #include "plumb/world/clash.hpp"
@@ -75,24 +78,67 @@ ClashPart::Shells shells_of_pool(const surface::FacePool& pool, const TriangleMe
   return shells;
 }
 
+/// Neighbors over edges, of a plainly closed mesh.
+std::vector<std::array<std::uint32_t, 3>> neighbors_over_edges(const TriangleMesh& mesh, const MeshEdges& edges) {
+  std::vector<std::array<std::uint32_t, 3>> all(mesh.triangles.size());
+  const auto put = [&](const EdgeUse& use, std::uint32_t other) {
+    const TriangleMesh::Triangle& t = mesh.triangles[use.face];
+    const std::size_t opposite = t[0] == use.opposite ? 0 : t[1] == use.opposite ? 1 : 2;
+    all[use.face][(opposite + 1) % 3] = other;
+  };
+  for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+    const auto uses = edges.uses_of(e);
+    put(uses[0], uses[1].face);
+    put(uses[1], uses[0].face);
+  }
+  return all;
+}
+
 }  // namespace
 
-ClashPart::ClashPart(TriangleMesh mesh, Execution execution) : mesh_(std::move(mesh)) {
-  bvh_ = build_bvh(mesh_, {.execution = execution});  // which refuses what is no mesh
-  box_ = box_of_triangles(mesh_);
+struct ClashPart::Surface {
+  bool plainly_closed = false;
+  std::once_flag asked;
+  bool simple = false;
+  std::vector<std::array<std::uint32_t, 3>> neighbors;
+};
+
+bool ClashPart::is_simple() const {
+  std::call_once(surface_->asked, [this] {
+    if (!surface_->plainly_closed) return;
+    for (const auto& [a, b, c] : mesh_->triangles)
+      if (collinear(mesh_->vertices[a], mesh_->vertices[b], mesh_->vertices[c])) return;
+    const MeshEdges edges = find_edges(*mesh_);
+    if (connected_components(*mesh_, edges, JoinedOver::manifold_edges).count != 1) return;
+    if (any_intersecting_pair(bvh_, {.execution = Execution::serial})) return;
+    surface_->neighbors = neighbors_over_edges(*mesh_, edges);
+    surface_->simple = true;
+  });
+  return surface_->simple;
+}
+
+const std::vector<std::array<std::uint32_t, 3>>& ClashPart::neighbors() const { return surface_->neighbors; }
+
+ClashPart::ClashPart(TriangleMesh mesh, Execution execution)
+    : ClashPart(std::make_shared<const TriangleMesh>(std::move(mesh)), execution) {}
+
+ClashPart::ClashPart(std::shared_ptr<const TriangleMesh> mesh, Execution execution)
+    : mesh_(std::move(mesh)), surface_(std::make_shared<Surface>()) {
+  bvh_ = build_bvh(*mesh_, {.execution = execution});  // which refuses what is no mesh
+  box_ = box_of_triangles(*mesh_);
   if (empty()) return;
-  if (is_plainly_closed(mesh_)) {
-    solid_ = true;
-    shells_ = shells_by_number(mesh_, true);
+  if (is_plainly_closed(*mesh_)) {
+    surface_->plainly_closed = solid_ = true;
+    shells_ = shells_by_number(*mesh_, true);
     return;
   }
   try {
-    const surface::FacePool pool = surface::pool_faces({&mesh_, 1});
+    const surface::FacePool pool = surface::pool_faces({mesh_.get(), 1});
     solid_ = !pool.mesh.triangles.empty();
-    if (solid_) shells_ = shells_of_pool(pool, mesh_);
+    if (solid_) shells_ = shells_of_pool(pool, *mesh_);
   } catch (const UnbalancedEdge&) {
   }
-  if (!solid_) shells_ = shells_by_number(mesh_, false);
+  if (!solid_) shells_ = shells_by_number(*mesh_, false);
 }
 
 }  // namespace plumb

@@ -92,7 +92,10 @@ Clashes find_clashes(std::span<const TriangleMesh> parts, std::span<const AskedP
                             : Progress();
   };
   space::for_parts("find_clashes", options.execution, share_of(0, parts.size()), parts.size(), [&](std::size_t i) {
-    if (is_used[i] != 0) made[i] = std::make_unique<ClashPart>(parts[i], Execution::serial);
+    if (is_used[i] == 0) return;
+    // The mesh is the caller's, who keeps it as long as this lasts.
+    const std::shared_ptr<const TriangleMesh> seen(std::shared_ptr<void>(), &parts[i]);
+    made[i] = std::make_unique<ClashPart>(seen, Execution::serial);
   });
   std::vector<FoundClash> answers(questions.size());
   space::for_parts(

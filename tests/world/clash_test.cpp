@@ -371,6 +371,7 @@ TEST(Clash, SaysOfLatticePartsWhatTheirCellsSay) {
     const ClashKind expected = word_of_cells(a, b);
     EXPECT_EQ(name_of(clash.kind), name_of(expected));
     EXPECT_EQ(name_of(other.kind), name_of(expected));
+    EXPECT_EQ(name_of(find_clash(part_a, part_b, {.measure = false}).kind), name_of(expected));
     ++said[expected];
     if (expected == ClashKind::apart || expected == ClashKind::touching) {
       EXPECT_FALSE(clash.volume.has_value());

@@ -27,10 +27,13 @@
 // NaN and infinity throw NonFinite, a triangle that names no vertex InvalidShape, as build_bvh does.
 // Source: RTCD 2.4.1; Requicha 1980 (regularized sets).
 // Cost: of a part that of a tree, and n log n to see whether it is closed.  Of a pair that of intersecting_pairs and of
-// cutting what meets; where insides have points in common that of arrange for both.  Bounded by n^4 signs, as arrange is.
+// cutting what meets; where insides have points in common that of arrange for both, but of simple solids that are not
+// measured and stay one piece each without the other.  Bounded by n^4 signs, as arrange is.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -51,6 +54,8 @@ std::string_view name_of(ClashKind kind);  // "within clearance", "piercing thro
 class ClashPart {
  public:
   explicit ClashPart(TriangleMesh mesh, Execution execution = Execution::parallel);
+  /// The mesh is shared, not copied.
+  explicit ClashPart(std::shared_ptr<const TriangleMesh> mesh, Execution execution = Execution::parallel);
 
   /// A component over vertices, and a vertex of it; components that bound nothing have none.
   static constexpr std::uint32_t no_shell = 0xffffffff;
@@ -59,17 +64,24 @@ class ClashPart {
     std::vector<std::uint32_t> vertices;  // of each shell
   };
 
-  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const TriangleMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const Bvh& bvh() const { return bvh_; }
-  [[nodiscard]] bool empty() const { return mesh_.triangles.empty(); }
+  [[nodiscard]] bool empty() const { return mesh_->triangles.empty(); }
   /// It holds the triangles, or the origin where there are none.
   [[nodiscard]] const Aabb3& box() const { return box_; }
   /// Is it a solid?
   [[nodiscard]] bool is_solid() const { return solid_; }
   [[nodiscard]] const Shells& shells() const { return shells_; }
+  /// Is it one surface, whose triangles have areas and meet in the edges and vertices that they share alone?  It is found
+  /// out when it is first asked, from any thread.
+  [[nodiscard]] bool is_simple() const;
+  /// Of a simple part: the triangle over the edge from each corner to the next.
+  [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& neighbors() const;
 
  private:
-  TriangleMesh mesh_;
+  struct Surface;
+  std::shared_ptr<const TriangleMesh> mesh_;
+  std::shared_ptr<Surface> surface_;
   Bvh bvh_;
   Aabb3 box_{};
   bool solid_ = false;
