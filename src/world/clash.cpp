@@ -136,9 +136,12 @@ void tell_solids(const ClashPart& a, const ClashPart& b, bool measure, FoundClas
   Seen seen;
   // Whatever crosses will need the arrangement; that it does is no more than a guess that insides meet.
   const bool crosses = any_crosses(a, b, clash.meeting);
-  if (crosses && !measure && a.is_simple() && b.is_simple() && stay_one_piece_each(a, b, clash.meeting)) {
-    clash.kind = ClashKind::overlapping;
-    return;
+  if (crosses && a.is_simple() && b.is_simple()) {
+    if (const auto common = common_of_one_piece_each(a, b, clash.meeting, measure)) {
+      clash.kind = ClashKind::overlapping;
+      if (measure) measure_in_common(a, b, *common, {true, true}, clash);
+      return;
+    }
   }
   if (!crosses) {
     seen = look(a, b, clash.meeting);

@@ -63,10 +63,11 @@ class CutContact {
           jumps_[f][use.face.mesh] += parts_[use.face.mesh]->is_solid() && by.opposite != use.opposite ? -1 : 1;
   }
 
-  /// As stay_one_piece_each; `met` are the triangles of each part that meet the other.
-  [[nodiscard]] bool is_one_piece_each(const std::array<std::vector<std::uint32_t>, 2>& met) const {
+  /// As common_of_one_piece_each; `met` are the triangles of each part that meet the other.
+  [[nodiscard]] std::optional<InCommon> common_of_one_piece_each(const std::array<std::vector<std::uint32_t>, 2>& met,
+                                                                 bool gather) const {
     for (std::uint32_t f = 0; f < jumps_.size(); ++f)
-      if (owners(f) == 3) return false;
+      if (owners(f) == 3) return {};
     const std::vector<AtEdge> edges = facets_at_edges();
     surface::DisjointSets groups =
         joined(edges, jumps_.size() + parts_[0]->mesh().triangles.size() + parts_[1]->mesh().triangles.size());
@@ -79,7 +80,7 @@ class CutContact {
       if (is_new) at->second = winding(line_from(f), owners(f) == 1 ? 1 : 0) != 0;
       any_in |= at->second;
     }
-    if (!any_in) return false;
+    if (!any_in) return {};
     for (const int whole : {1, 2}) {  // of whom the rest is looked at
       const auto borders = [&](std::uint32_t f) { return is_in.at(groups.find(f)) != (owners(f) == whole); };
       surface::DisjointSets rest = groups;
@@ -95,9 +96,9 @@ class CutContact {
       std::set<std::uint32_t> pieces;
       for (std::uint32_t f = 0; f < jumps_.size(); ++f)
         if (owners(f) != 0 && borders(f)) pieces.insert(rest.find(f));
-      if (!plain || pieces.size() != 1) return false;
+      if (!plain || pieces.size() != 1) return {};
     }
-    return true;
+    return gather ? common(met, groups, is_in) : InCommon{};
   }
 
   Lying look() {
@@ -200,6 +201,54 @@ class CutContact {
     }
   }
 
+  /// Facets of each part in the other, and its triangles that nothing cuts and that are joined to such.
+  [[nodiscard]] std::optional<InCommon> common(const std::array<std::vector<std::uint32_t>, 2>& met,
+                                               surface::DisjointSets& groups,
+                                               const std::map<std::uint32_t, bool>& is_in) const {
+    InCommon made;
+    const auto add = [&](std::size_t part, std::span<const ExactPoint3, 3> corners, bool turned) {
+      const auto first = static_cast<std::uint32_t>(made.border.vertices.size());
+      for (const ExactPoint3& p : corners) {
+        made.border.vertices.push_back(p);
+        if (const auto* given = std::get_if<Point3>(&p.as())) made.corners[part].push_back(*given);
+      }
+      made.border.triangles.push_back({first, first + (turned ? 2 : 1), first + (turned ? 1 : 2)});
+    };
+    const std::array<bool, 2> inward{parts_[0]->turns_inward(), parts_[1]->turns_inward()};
+    const auto facets = static_cast<std::uint32_t>(jumps_.size());
+    for (std::uint32_t f = 0; f < facets; ++f) {
+      if (owners(f) == 0 || !is_in.at(groups.find(f))) continue;
+      const std::size_t part = owners(f) == 1 ? 0 : 1;
+      const auto& [a, b, c] = list_.facets[f];
+      add(part, std::array{table_.point(a), table_.point(b), table_.point(c)}, (jumps_[f][part] < 0) != inward[part]);
+    }
+    std::uint32_t node = facets;
+    for (std::size_t part = 0; part < 2; ++part) {
+      const TriangleMesh& mesh = parts_[part]->mesh();
+      std::size_t next_met = 0;
+      for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t, ++node) {
+        if (next_met < met[part].size() && met[part][next_met] == t) {
+          ++next_met;
+          continue;
+        }
+        const auto at = is_in.find(groups.find(node));
+        if (at == is_in.end()) return {};
+        if (!at->second) continue;
+        const auto& [a, b, c] = mesh.triangles[t];
+        add(part,
+            std::array<ExactPoint3, 3>{ExactPoint3(mesh.vertices[a]), ExactPoint3(mesh.vertices[b]),
+                                       ExactPoint3(mesh.vertices[c])},
+            inward[part]);
+      }
+    }
+    for (std::vector<Point3>& corners : made.corners) {
+      const auto key = [](const Point3& p) { return std::tie(p.x, p.y, p.z); };
+      std::ranges::sort(corners, [&](const Point3& l, const Point3& r) { return key(l) < key(r); });
+      corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    }
+    return made;
+  }
+
   [[nodiscard]] surface::LineFromFacet line_from(std::uint32_t f) const {
     const auto& [a, b, c] = list_.facets[f];
     return {{table_.point(a), table_.point(b), table_.point(c)}, list_.plane_of_facet(f, table_)};
@@ -248,14 +297,15 @@ auto with_cut_contact(const ClashPart& a, const ClashPart& b, std::span<const Tr
 
 }  // namespace
 
-bool stay_one_piece_each(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs) {
+std::optional<InCommon> common_of_one_piece_each(const ClashPart& a, const ClashPart& b,
+                                                 std::span<const TrianglePair> pairs, bool gather) {
   std::array<std::vector<std::uint32_t>, 2> met;
   for (const TrianglePair& p : pairs) met[0].push_back(p.a), met[1].push_back(p.b);
   for (std::vector<std::uint32_t>& triangles : met) {
     std::ranges::sort(triangles);
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   }
-  return with_cut_contact(a, b, pairs, [&](CutContact& cut) { return cut.is_one_piece_each(met); });
+  return with_cut_contact(a, b, pairs, [&](CutContact& cut) { return cut.common_of_one_piece_each(met, gather); });
 }
 
 Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs) {

@@ -10,9 +10,11 @@
 // pieces all triangles are walked over besides.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "plumb/world/clash.hpp"
+#include "world/clash_solids.hpp"
 
 namespace plumb::world {
 
@@ -22,9 +24,11 @@ struct Lying {
   bool same_side = false;  // facets of both, and two insides beside them
 };
 
-/// Do insides of two simple solids meet, and is each, less the other, one piece?  False where that is not seen so: in a plane
-/// of both, or at an edge with more than two facets around such a rest.
-bool stay_one_piece_each(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs);
+/// What two simple solids have in common if their insides meet and each, less the other, is one piece.  Nothing where that
+/// is not seen so: in a plane of both, or at an edge with more than two facets around such a rest.  Unless it is gathered,
+/// it is empty.
+std::optional<InCommon> common_of_one_piece_each(const ClashPart& a, const ClashPart& b,
+                                                 std::span<const TrianglePair> pairs, bool gather);
 
 /// The pairs are those of all triangles that meet.
 Lying lying_at_contact(const ClashPart& a, const ClashPart& b, std::span<const TrianglePair> pairs);

@@ -1,15 +1,16 @@
 #include <algorithm>
-#include <mutex>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "plumb/figure/measures/measures.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/surface/solid/arrangement.hpp"
 #include "plumb/surface/topology/components.hpp"
-#include "plumb/world/clash.hpp"
 #include "surface/solid/face_pool.hpp"
 #include "surface/topology/disjoint_sets.hpp"
+#include "world/clash_surface.hpp"
 
 namespace plumb {
 namespace {
@@ -96,21 +97,17 @@ std::vector<std::array<std::uint32_t, 3>> neighbors_over_edges(const TriangleMes
 
 }  // namespace
 
-struct ClashPart::Surface {
-  bool plainly_closed = false;
-  std::once_flag asked;
-  bool simple = false;
-  std::vector<std::array<std::uint32_t, 3>> neighbors;
-};
-
 bool ClashPart::is_simple() const {
-  std::call_once(surface_->asked, [this] {
+  std::call_once(surface_->simple_asked, [this] {
     if (!surface_->plainly_closed) return;
     for (const auto& [a, b, c] : mesh_->triangles)
       if (collinear(mesh_->vertices[a], mesh_->vertices[b], mesh_->vertices[c])) return;
     const MeshEdges edges = find_edges(*mesh_);
     if (connected_components(*mesh_, edges, JoinedOver::manifold_edges).count != 1) return;
     if (any_intersecting_pair(bvh_, {.execution = Execution::serial})) return;
+    const double size = signed_volume(*mesh_);
+    if (size == 0) return;  // below all doubles, so that its sign is not told
+    surface_->turns_inward = std::signbit(size);
     surface_->neighbors = neighbors_over_edges(*mesh_, edges);
     surface_->simple = true;
   });
@@ -118,6 +115,8 @@ bool ClashPart::is_simple() const {
 }
 
 const std::vector<std::array<std::uint32_t, 3>>& ClashPart::neighbors() const { return surface_->neighbors; }
+
+bool ClashPart::turns_inward() const { return surface_->turns_inward; }
 
 ClashPart::ClashPart(TriangleMesh mesh, Execution execution)
     : ClashPart(std::make_shared<const TriangleMesh>(std::move(mesh)), execution) {}

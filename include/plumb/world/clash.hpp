@@ -27,8 +27,8 @@
 // NaN and infinity throw NonFinite, a triangle that names no vertex InvalidShape, as build_bvh does.
 // Source: RTCD 2.4.1; Requicha 1980 (regularized sets).
 // Cost: of a part that of a tree, and n log n to see whether it is closed.  Of a pair that of intersecting_pairs and of
-// cutting what meets; where insides have points in common that of arrange for both, but of simple solids that are not
-// measured and stay one piece each without the other.  Bounded by n^4 signs, as arrange is.
+// cutting what meets; where insides have points in common that of arrange for both, but of simple solids that stay
+// one piece each without the other.  Bounded by n^4 signs, as arrange is.
 #pragma once
 
 #include <array>
@@ -75,11 +75,19 @@ class ClashPart {
   /// Is it one surface, whose triangles have areas and meet in the edges and vertices that they share alone?  It is found
   /// out when it is first asked, from any thread.
   [[nodiscard]] bool is_simple() const;
-  /// Of a simple part: the triangle over the edge from each corner to the next.
+  /// Of a simple part: the triangle over the edge from each corner to the next, and whether triangles turn inward.
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& neighbors() const;
+  [[nodiscard]] bool turns_inward() const;
+  /// The corners of its hull, and whether that has the volume that the mesh bounds; not of an empty mesh.
+  struct Hull {
+    std::vector<Point3> corners;
+    bool has_volume_of_part = false;
+  };
+  [[nodiscard]] const Hull& hull() const;
+
+  struct Surface;  // src/world/clash_surface.hpp
 
  private:
-  struct Surface;
   std::shared_ptr<const TriangleMesh> mesh_;
   std::shared_ptr<Surface> surface_;
   Bvh bvh_;
