@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -214,7 +215,12 @@ class CutContact {
       }
       made.border.triangles.push_back({first, first + (turned ? 2 : 1), first + (turned ? 1 : 2)});
     };
-    const std::array<bool, 2> inward{parts_[0]->turns_inward(), parts_[1]->turns_inward()};
+    std::array<bool, 2> inward{};
+    for (std::size_t part = 0; part < 2; ++part) {
+      const double size = parts_[part]->hull().volume_of_part;
+      if (size == 0) return {};  // below all doubles, so that its sign is not told
+      inward[part] = std::signbit(size);
+    }
     const auto facets = static_cast<std::uint32_t>(jumps_.size());
     for (std::uint32_t f = 0; f < facets; ++f) {
       if (owners(f) == 0 || !is_in.at(groups.find(f))) continue;

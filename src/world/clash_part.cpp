@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
-#include "plumb/figure/measures/measures.hpp"
 #include "plumb/predicates.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/surface/solid/arrangement.hpp"
@@ -105,9 +103,6 @@ bool ClashPart::is_simple() const {
     const MeshEdges edges = find_edges(*mesh_);
     if (connected_components(*mesh_, edges, JoinedOver::manifold_edges).count != 1) return;
     if (any_intersecting_pair(bvh_, {.execution = Execution::serial})) return;
-    const double size = signed_volume(*mesh_);
-    if (size == 0) return;  // below all doubles, so that its sign is not told
-    surface_->turns_inward = std::signbit(size);
     surface_->neighbors = neighbors_over_edges(*mesh_, edges);
     surface_->simple = true;
   });
@@ -115,8 +110,6 @@ bool ClashPart::is_simple() const {
 }
 
 const std::vector<std::array<std::uint32_t, 3>>& ClashPart::neighbors() const { return surface_->neighbors; }
-
-bool ClashPart::turns_inward() const { return surface_->turns_inward; }
 
 ClashPart::ClashPart(TriangleMesh mesh, Execution execution)
     : ClashPart(std::make_shared<const TriangleMesh>(std::move(mesh)), execution) {}

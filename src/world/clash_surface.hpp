@@ -13,7 +13,7 @@ namespace plumb {
 struct ClashPart::Surface {
   bool plainly_closed = false;
   std::once_flag simple_asked, hull_asked;
-  bool simple = false, turns_inward = false;
+  bool simple = false;
   std::vector<std::array<std::uint32_t, 3>> neighbors;
   Hull hull;
 };

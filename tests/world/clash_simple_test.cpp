@@ -96,16 +96,23 @@ TEST(Clash, SaysTheSameOfSimpleSolidsAsWhereAllIsArranged) {
   EXPECT_GE(at_once, 30);
 }
 
+TEST(Clash, MeasuresWhatNoDoubleTellsFromZero) {
+  TriangleMesh tiny = solids::turned(solids::box({0, 0, 0}, {4, 4, 4}));
+  for (Point3& p : tiny.vertices) p = {p.x * 0x1p-900, p.y * 0x1p-900, p.z * 0x1p-900};
+  const ClashPart part(tiny), other(moved(tiny, {0x1p-900, 0x1p-901, 0x1p-902}));
+  EXPECT_TRUE(part.is_simple());
+  EXPECT_EQ(part.hull().volume_of_part, 0);
+  const Clash clash = find_clash(part, other);
+  EXPECT_EQ(clash.kind, ClashKind::overlapping);
+  EXPECT_EQ(clash.volume, 0);
+  EXPECT_TRUE(clash.depth.has_value());
+}
+
 TEST(ClashPart, KnowsOneSurfaceFromOthers) {
   const TriangleMesh cube = solids::box({0, 0, 0}, {4, 4, 4});
   EXPECT_TRUE(ClashPart(cube).is_simple());
   EXPECT_TRUE(ClashPart(together({}, cube, true)).is_simple());
   EXPECT_TRUE(ClashPart(solids::torus(2, 1, 8, 5)).is_simple());
-  TriangleMesh tiny = cube;  // whose volume no double tells from zero
-  for (Point3& p : tiny.vertices) p = {p.x * 0x1p-1000, p.y * 0x1p-1000, p.z * 0x1p-1000};
-  EXPECT_FALSE(ClashPart(tiny).is_simple());
-  EXPECT_EQ(find_clash(ClashPart(tiny), ClashPart(moved(tiny, {0x1p-1000, 0x1p-1000, 0x1p-1000}))).kind,
-            ClashKind::overlapping);
   EXPECT_FALSE(ClashPart(together(cube, moved(cube, {9, 0, 0}))).is_simple()) << "two";
   EXPECT_FALSE(ClashPart(together(cube, solids::box({1, 1, 1}, {2, 2, 2}), true)).is_simple()) << "hollow";
   EXPECT_FALSE(ClashPart(solids::torus(1, 2, 8, 5)).is_simple()) << "crosses itself";

@@ -75,13 +75,14 @@ class ClashPart {
   /// Is it one surface, whose triangles have areas and meet in the edges and vertices that they share alone?  It is found
   /// out when it is first asked, from any thread.
   [[nodiscard]] bool is_simple() const;
-  /// Of a simple part: the triangle over the edge from each corner to the next, and whether triangles turn inward.
+  /// Of a simple part: the triangle over the edge from each corner to the next.
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& neighbors() const;
-  [[nodiscard]] bool turns_inward() const;
-  /// The corners of its hull, and whether that has the volume that the mesh bounds; not of an empty mesh.
+  /// The corners of its hull, and whether that has the volume that the mesh bounds, which is below zero where triangles
+  /// turn inward; not of an empty mesh.
   struct Hull {
     std::vector<Point3> corners;
     bool has_volume_of_part = false;
+    double volume_of_part = 0;
   };
   [[nodiscard]] const Hull& hull() const;
 
