@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "plumb/surface/solid/boolean.hpp"
@@ -23,6 +24,9 @@ Rational squared_move(const ExactPoint3& from, const Point3& to) {
 /// Tells where vertices go in one round: to their nearest doubles, or to a grid where the round before went wrong.
 class RoundingPlaces {
  public:
+  /// All points go to the grid; to their nearest doubles where it is 0.
+  explicit RoundingPlaces(double grid) : grid_(grid), all_are_coarse_(grid != 0) {}
+
   /// From now on, what was constructed and these points go to the grid.
   void make_coarse(const surface::Soundness& found, double grid) {
     grid_ = grid;
@@ -33,7 +37,7 @@ class RoundingPlaces {
 
   [[nodiscard]] Point3 place_of(const ExactPoint3& p) const {
     const Point3 nearest = approximate(p);
-    const bool stays = std::holds_alternative<Point3>(p.as()) && !coarse_.contains(key_of(nearest));
+    const bool stays = !all_are_coarse_ && std::holds_alternative<Point3>(p.as()) && !coarse_.contains(key_of(nearest));
     if (grid_ == 0 || stays) return nearest;
     return {on_grid(nearest.x), on_grid(nearest.y), on_grid(nearest.z)};
   }
@@ -45,13 +49,14 @@ class RoundingPlaces {
   [[nodiscard]] double on_grid(double x) const { return std::nearbyint(x / grid_) * grid_; }
 
   std::set<Key> coarse_;
-  double grid_ = 0;
+  double grid_;
+  bool all_are_coarse_;
 };
 
 /// The distance between neighboring doubles at the largest coordinate, times 2 for each round.
-double grid_of_round(const TriangleMesh& mesh, std::uint32_t round) {
+double grid_of_round(std::span<const Point3> vertices, std::uint32_t round) {
   double largest = 0;
-  for (const Point3& p : mesh.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  for (const Point3& p : vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   int exponent = 0;
   (void)std::frexp(largest, &exponent);
   return std::ldexp(1.0, std::max(exponent - 53 + static_cast<int>(std::min(round, 50U)), -1022));
@@ -104,33 +109,52 @@ void put_in_order(RoundedMesh& made) {
   std::ranges::sort(made.meeting);
 }
 
-}  // namespace
-
-RoundedMesh round(const ExactMesh& mesh, const RoundingOptions& options) {
+/// In rounds that begin at the grid of round `first`, where that is not 0.
+RoundedMesh rounded_from(const ExactMesh& mesh, std::uint32_t first, std::uint32_t rounds) {
   RoundedMesh made;
   ExactMesh exact = mesh;
   Rational moved = 0;
-  RoundingPlaces places;
+  if (first != 0) {
+    std::vector<Point3> nearest;
+    for (const ExactPoint3& p : mesh.vertices) nearest.push_back(approximate(p));
+    made.grid = grid_of_round(nearest, first);
+  }
+  RoundingPlaces places(made.grid);
   while (true) {
     double farthest = 0;
     const TriangleMesh nearest = moved_mesh(exact, places, farthest);
     moved = moved + Rational(farthest);
     ++made.rounds;
     surface::Soundness found(nearest);
-    if (found.sound || made.rounds >= options.rounds || found.meeting.size() > mesh.triangles.size()) {
+    if (found.sound || made.rounds >= rounds || found.meeting.size() > mesh.triangles.size()) {
       made.mesh = std::move(found.plain);
       for (const std::uint32_t t : found.triangle) made.sources.push_back(exact.sources[t]);
       made.sound = found.sound;
       made.meeting = std::move(found.meeting);
       break;
     }
-    made.grid = grid_of_round(nearest, made.rounds);
+    made.grid = grid_of_round(nearest.vertices, first + made.rounds);
     places.make_coarse(found, made.grid);
     ExactMesh resolved = resolve(nearest);
     for (SourceFace& source : resolved.sources) source = exact.sources[source.triangle];
     exact = std::move(resolved);
   }
   made.moved = moved.rounded(Rounding::up);
+  return made;
+}
+
+}  // namespace
+
+RoundedMesh round(const ExactMesh& mesh, const RoundingOptions& options) {
+  RoundedMesh made = rounded_from(mesh, 0, options.rounds);
+  std::uint32_t rounds = made.rounds;
+  // What is thinner than a grid is gone on one that is much coarser.
+  for (std::uint32_t first = 8; !made.sound && first <= 24 && rounds < options.rounds; first += 8) {
+    RoundedMesh again = rounded_from(mesh, first, options.rounds - rounds);
+    rounds += again.rounds;
+    if (again.sound) made = std::move(again);
+  }
+  made.rounds = rounds;
   put_in_order(made);
   return made;
 }

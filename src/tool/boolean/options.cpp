@@ -14,7 +14,7 @@ void add_solid_options(CLI::App* parser, SolidOptions& o) {
   parser->add_flag("--overwrite", o.overwrite, "Replace the file of --output where it is there.");
   parser->add_flag("--merge", o.merge,
                    "Make polygons of what lies in one plane, and as few triangles of these as can be.");
-  parser->add_option("--rounds", o.rounds, "Round at most so often until the result is sound; 12 if not given.")
+  parser->add_option("--rounds", o.rounds, "Round at most so often until the result is sound; 24 if not given.")
       ->check(whole_number_from(1, 4294967295U))
       ->type_name("N");
   parser->add_flag("--unsound", o.unsound, "Write the result also where it is not sound.");
