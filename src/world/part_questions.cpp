@@ -9,6 +9,7 @@
 #include "plumb/query/body/hit_pairs.hpp"
 #include "plumb/space/closest/closest_triangles.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
+#include "query/body/upright_box.hpp"
 #include "world/grown_box.hpp"
 
 namespace plumb::world {
@@ -25,9 +26,21 @@ bool is_asked_by_rays(const AnyFigure& figure) {
   return query::hit_pairs.answers(FigureKind::ray, figure.kind(), figure.dimension());
 }
 
+/// The same box without its pose, where doubles say where it stands: the same point set by numbers that need no rationals.
+AnyFigure standing(const AnyFigure& figure) {
+  const auto* pose = std::get_if<RigidPose>(&figure.pose());
+  if (pose == nullptr || !(pose->turn == Rotation{})) return figure;
+  const auto box = query::upright_box(figure.view());
+  if (!box) return figure;
+  const auto is_double = [](const query::FacePlace& p) { return p.is_finite() && p.rest == 0; };
+  if (!std::ranges::all_of(box->low, is_double) || !std::ranges::all_of(box->high, is_double)) return figure;
+  return Aabb3{{box->low[0].nearest, box->low[1].nearest, box->low[2].nearest},
+               {box->high[0].nearest, box->high[1].nearest, box->high[2].nearest}};
+}
+
 /// The figure itself, or a triangle of the mesh.
 AnyFigure figure_at(const Placed& part, std::uint32_t triangle) {
-  if (const auto* figure = std::get_if<AnyFigure>(&part)) return *figure;
+  if (const auto* figure = std::get_if<AnyFigure>(&part)) return standing(*figure);
   return std::get<PlacedMesh>(part).triangle(triangle);
 }
 
@@ -35,7 +48,7 @@ AnyFigure figure_at(const Placed& part, std::uint32_t triangle) {
 std::vector<std::pair<std::uint32_t, AnyFigure>> figures_near(const Placed& part, const Aabb3& box) {
   std::vector<std::pair<std::uint32_t, AnyFigure>> all;
   if (const auto* figure = std::get_if<AnyFigure>(&part)) {
-    all.emplace_back(0, *figure);
+    all.emplace_back(0, standing(*figure));
     return all;
   }
   const PlacedMesh& mesh = std::get<PlacedMesh>(part);
@@ -52,7 +65,7 @@ Root time_of(const AnyFigure& a, const Vector3& by_a, const AnyFigure& b, const 
 std::optional<PartHit> first_hit(const Placed& part, const AnyRay& ray) {
   if (const auto* figure = std::get_if<AnyFigure>(&part)) {
     if (!is_asked_by_rays(*figure)) return {};
-    const auto hit = query::any_first_hit(figure_of_ray(ray).view(), figure->view());
+    const auto hit = query::any_first_hit(figure_of_ray(ray).view(), standing(*figure).view());
     if (!hit) return {};
     return PartHit{0, *hit};
   }
@@ -68,11 +81,11 @@ RayParameter hit_parameter(const Placed& part, std::uint32_t triangle, const Any
 bool is_hit(const Placed& part, const AnyRay& ray) {
   if (const auto* mesh = std::get_if<PlacedMesh>(&part)) return any_hit(mesh->view(), ray);
   const AnyFigure& figure = std::get<AnyFigure>(part);
-  return is_asked_by_rays(figure) && query::any_hits(figure_of_ray(ray).view(), figure.view());
+  return is_asked_by_rays(figure) && query::any_hits(figure_of_ray(ray).view(), standing(figure).view());
 }
 
 PartDistance distance_to(const Placed& part, const AnyFigure& figure) {
-  if (const auto* own = std::get_if<AnyFigure>(&part)) return {0, distance(*own, figure)};
+  if (const auto* own = std::get_if<AnyFigure>(&part)) return {0, distance(standing(*own), figure)};
   const PlacedMesh& mesh = std::get<PlacedMesh>(part);
   const std::uint32_t some = mesh.mesh().bvh().number(0);
   // No triangle that is nearer lies wholly out of that reach.

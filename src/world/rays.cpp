@@ -4,6 +4,7 @@
 #include <string>
 #include <tuple>
 
+#include "plumb/query/ray/hits.hpp"
 #include "space/bvh/equal_lengths.hpp"
 #include "space/bvh/parts.hpp"
 #include "world/part_questions.hpp"
@@ -19,9 +20,11 @@ constexpr double beyond_all = std::numeric_limits<double>::infinity();
 /// Asks bodies of a world where a ray hits them.
 class RayQuestion {
  public:
-  RayQuestion(const std::vector<std::optional<WorldBody>>& bodies, const AnyRay& ray) : bodies_(bodies), ray_(ray) {}
+  RayQuestion(const std::vector<std::optional<WorldBody>>& bodies, const MovingBoxes& boxes, const AnyRay& ray)
+      : bodies_(bodies), boxes_(boxes), ray_(ray) {}
 
   [[nodiscard]] std::optional<WorldHit> of(const BodyHandle& handle) const {
+    if (!plumb::hits(ray_, boxes_.box(handle))) return {};  // the index has wider ones
     const WorldBody& body = *bodies_[handle.slot];
     return about_body("CollisionWorld::first_hit", body.options.user_id, [&] {
       std::optional<WorldHit> best;
@@ -50,6 +53,7 @@ class RayQuestion {
   }
 
   const std::vector<std::optional<WorldBody>>& bodies_;
+  const MovingBoxes& boxes_;
   const AnyRay& ray_;
 };
 
@@ -57,7 +61,7 @@ class RayQuestion {
 
 std::optional<WorldHit> CollisionWorld::first_hit(const AnyRay& ray, std::uint32_t mask) const {
   const State& s = *state_;
-  const RayQuestion ask(s.bodies, ray);
+  const RayQuestion ask(s.bodies, s.boxes, ray);
   std::optional<WorldHit> best;
   s.boxes.visit_along(ray, [&](const BodyHandle& handle) {
     if ((s.bodies[handle.slot]->options.group & mask) != 0) {
@@ -85,7 +89,7 @@ bool CollisionWorld::any_hit(const AnyRay& ray, std::uint32_t mask) const {
 
 std::vector<WorldHit> CollisionWorld::hits(const AnyRay& ray, std::uint32_t mask) const {
   const State& s = *state_;
-  const RayQuestion ask(s.bodies, ray);
+  const RayQuestion ask(s.bodies, s.boxes, ray);
   std::vector<WorldHit> all;
   s.boxes.visit_along(ray, [&](const BodyHandle& handle) {
     if ((s.bodies[handle.slot]->options.group & mask) != 0) {
