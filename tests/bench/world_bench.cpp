@@ -3,12 +3,14 @@
 // its manifolds from frame to frame.
 //
 // Scenes: `upright`, where no cube is turned; `turned`, each by its own angle about the upright axis.  `one_moves`: of all
-// of them one cube alone.
+// of them one cube alone.  `many`: a hundred thousand cubes strewn in space, of which one in a hundred moves; rays among
+// them.
 #include <benchmark/benchmark.h>
 
 #include <array>
 #include <vector>
 
+#include "plumb/degenerate/entropy.hpp"
 #include "plumb/world.hpp"
 #ifdef PLUMB_BENCH_WORLD_RIVALS
 #include "bench/rivals/world/rival.hpp"
@@ -70,6 +72,51 @@ void one_moves(benchmark::State& state) {
   }
 }
 BENCHMARK(one_moves)->Unit(benchmark::kMillisecond);
+
+/// A hundred thousand cubes, strewn.
+struct Strewn {
+  CollisionWorld world{{.execution = Execution::serial}};
+  Entropy entropy{4900};
+  std::vector<BodyHandle> cubes;
+  std::vector<Vector3> places;
+
+  Strewn() {
+    for (std::size_t n = 0; n < 100000; ++n) {
+      places.push_back(place());
+      cubes.push_back(world.add(Posed{Aabb3{{0, 0, 0}, {1, 1, 1}}, RigidPose{{}, places[n]}}, {.user_id = n}));
+    }
+    world.commit();
+  }
+  Vector3 place() {
+    const auto side = [&] { return static_cast<double>(entropy.within(100000)) / 1000; };
+    return {side(), side(), side()};
+  }
+};
+
+void many_of_which_few_move(benchmark::State& state) {
+  Strewn strewn;
+  for (auto _ : state) {
+    for (std::size_t n = 0; n < strewn.cubes.size() / 100; ++n) {
+      const std::size_t k = strewn.entropy.below(strewn.cubes.size());
+      strewn.places[k].x += 0.05;
+      strewn.world.move(strewn.cubes[k], RigidPose{{}, strewn.places[k]});
+    }
+    benchmark::DoNotOptimize(strewn.world.commit());
+  }
+  state.counters["pairs"] = static_cast<double>(strewn.world.pairs().size());
+}
+BENCHMARK(many_of_which_few_move)->Unit(benchmark::kMillisecond);
+
+void rays_among_many(benchmark::State& state) {
+  Strewn strewn;
+  std::size_t hit = 0, asked = 0;
+  for (auto _ : state) {
+    const Vector3 from = strewn.place(), along = strewn.place();
+    hit += strewn.world.first_hit(Ray3{{from.x, from.y, from.z}, along}) ? 1 : 0, ++asked;
+  }
+  state.counters["hit"] = static_cast<double>(hit) / static_cast<double>(asked);
+}
+BENCHMARK(rays_among_many)->Unit(benchmark::kMicrosecond);
 
 #ifdef PLUMB_BENCH_WORLD_RIVALS
 void bullet(benchmark::State& state, bool is_turned) {
