@@ -155,10 +155,12 @@ Shape shape_of(std::string_view name, std::vector<double> numbers) {
   }
 }
 
-void append(std::string& line, std::span<const double> numbers) {
-  for (const double x : numbers) {
-    line += ' ';
-    append_hexadecimal(line, x);
+template <class Shape>
+void tell_numbers(const Shape& s, query::LineParts& line) {
+  if constexpr (std::is_trivially_copyable_v<Shape>) {
+    line.numbers_of(s);
+  } else {
+    line.numbers(row_of(s));
   }
 }
 
@@ -261,21 +263,26 @@ const Reader& reader_named(std::string_view word) {
 
 }  // namespace
 
-std::string query::figure_line(const PosedView& posed) {
-  std::string line;
+void query::tell_figure(const PosedView& posed, LineParts& line) {
   query::with_figure(posed.figure, [&line]<class Shape>(const Shape& s) {
-    line = name_of_shape<Shape>();
-    append(line, row_of(s));
+    static const std::string name = name_of_shape<Shape>();
+    line.text(name);
+    tell_numbers(s, line);
   });
   std::visit(
       [&line]<class By>(const By& pose) {
         if constexpr (!std::is_same_v<By, std::monostate>) {
-          line.append(" ").append(word_of_pose<std::remove_cvref_t<decltype(*pose)>>());
-          append(line, row_of(*pose));
+          line.word(word_of_pose<std::remove_cvref_t<decltype(*pose)>>());
+          tell_numbers(*pose, line);
         }
       },
       posed.pose.by);
-  return line;
+}
+
+std::string query::figure_line(const PosedView& posed) {
+  LineParts line;
+  tell_figure(posed, line);
+  return LineParts::written(line.kept());
 }
 
 std::string to_string(const AnyFigure& figure) { return query::figure_line(figure.view()); }

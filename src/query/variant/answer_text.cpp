@@ -9,18 +9,23 @@
 namespace plumb::query {
 namespace {
 
-/// Words, each but the first behind a blank.
+/// Words and numbers, each behind a blank.
 class Words {
  public:
   Words& operator()(std::string_view word) {
-    if (!text_.empty()) text_ += ' ';
-    text_ += word;
+    parts_.word(word);
     return *this;
   }
   Words& operator()(const char* word) { return (*this)(std::string_view(word)); }
-  Words& operator()(double x) { return (*this)(hexadecimal(x)); }
+  Words& operator()(double x) {
+    parts_.number(x);
+    return *this;
+  }
   Words& operator()(bool is_so) { return (*this)(is_so ? "yes" : "no"); }
-  Words& operator()(std::uint32_t n) { return (*this)(std::to_string(n)); }
+  Words& operator()(std::uint32_t n) {
+    parts_.count(n);
+    return *this;
+  }
   Words& operator()(const Rational& r) { return (*this)(r.text()); }
   Words& operator()(Relation relation) {
     constexpr std::array<std::string_view, 3> names{"disjoint", "touching", "overlapping"};
@@ -34,17 +39,19 @@ class Words {
   template <class Place>
   requires requires(const Place& p) { p.x; }
   Words& operator()(const Place& p) {
-    (*this)(p.x)(p.y);
-    if constexpr (requires { p.z; }) {
-      return (*this)(p.z);
+    if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(p.x)>, double>) {
+      return (*this)(p.x)(p.y)(p.z);
     } else {
-      return (*this)(0.0);
+      std::array<double, 3> all{p.x, p.y, 0};
+      if constexpr (requires { p.z; }) all[2] = p.z;
+      parts_.numbers(all);
+      return *this;
     }
   }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const LineParts& parts() const { return parts_; }
 
  private:
-  std::string text_;
+  LineParts parts_;
 };
 
 /// An intersection with corners is told by what it is, and by these, rounded once.
@@ -70,36 +77,36 @@ void tell_common(const FlatIntersection& common, Words& words) {
 
 }  // namespace
 
-std::string answer_text(Relation relation) { return Words()(relation).text(); }
-std::string answer_text(Location location) {
+LineParts answer_parts(Relation relation) { return Words()(relation).parts(); }
+LineParts answer_parts(Location location) {
   constexpr std::array<std::string_view, 3> names{"outside", "boundary", "inside"};
-  return std::string(names[static_cast<std::size_t>(static_cast<int>(location) + 1)]);
+  return Words()(names[static_cast<std::size_t>(static_cast<int>(location) + 1)]).parts();
 }
-std::string answer_text(bool is_so) { return Words()(is_so).text(); }
-std::string answer_text(double number) { return Words()(number).text(); }
-std::string answer_text(const ExactDistance& d) { return Words()(d.square)(d.inset).text(); }
-std::string answer_text(const Closest& c) {
-  return Words()(c.distance)(c.on_a)(c.on_b)(c.feature_a)(c.feature_b).text();
+LineParts answer_parts(bool is_so) { return Words()(is_so).parts(); }
+LineParts answer_parts(double number) { return Words()(number).parts(); }
+LineParts answer_parts(const ExactDistance& d) { return Words()(d.square)(d.inset).parts(); }
+LineParts answer_parts(const Closest& c) {
+  return Words()(c.distance)(c.on_a)(c.on_b)(c.feature_a)(c.feature_b).parts();
 }
-std::string answer_text(const Hit& h) { return Words()(h.t)(h.point)(h.feature)(h.normal).text(); }
-std::string answer_text(const RayParameter& t) { return Words()(t.rounded()).text(); }
-std::string answer_text(const Root& time) { return Words()(time.rounded()).text(); }
-std::string answer_text(const Contact& c) { return Words()(c.time)(c.feature_a)(c.feature_b).text(); }
-std::string answer_text(const Penetration& p) {
-  return Words()(p.depth)(p.direction)(p.translation)(p.feature_a)(p.feature_b)(p.is_unique).text();
+LineParts answer_parts(const Hit& h) { return Words()(h.t)(h.point)(h.feature)(h.normal).parts(); }
+LineParts answer_parts(const RayParameter& t) { return Words()(t.rounded()).parts(); }
+LineParts answer_parts(const Root& time) { return Words()(time.rounded()).parts(); }
+LineParts answer_parts(const Contact& c) { return Words()(c.time)(c.feature_a)(c.feature_b).parts(); }
+LineParts answer_parts(const Penetration& p) {
+  return Words()(p.depth)(p.direction)(p.translation)(p.feature_a)(p.feature_b)(p.is_unique).parts();
 }
-std::string answer_text(const ContactManifold& m) {
+LineParts answer_parts(const ContactManifold& m) {
   Words words;
   words(m.relation)(m.distance)(m.normal);
   for (const ContactCorner& c : m.corners) words("corner")(c.id.a)(c.id.b)(c.on_a)(c.on_b)(c.distance);
-  return words.text();
+  return words.parts();
 }
-std::string answer_text(const Support3& s) { return Words()(s.point)(s.feature)(s.unique).text(); }
-std::string answer_text(const Aabb3& box) { return Words()(box.min)(box.max).text(); }
-std::string answer_text(const AnyIntersection& common) {
+LineParts answer_parts(const Support3& s) { return Words()(s.point)(s.feature)(s.unique).parts(); }
+LineParts answer_parts(const Aabb3& box) { return Words()(box.min)(box.max).parts(); }
+LineParts answer_parts(const AnyIntersection& common) {
   Words words;
   std::visit([&words](const auto& is) { tell_common(is, words); }, common);
-  return words.text();
+  return words.parts();
 }
 std::string refusal_text(const Error& error) {
   std::string text = std::string("refused: ") + error.what();

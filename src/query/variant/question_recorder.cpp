@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
+#include <map>
 #include <mutex>
 #include <span>
 #include <utility>
 
-#include "certify/case_line.hpp"
 #include "query/body/figure_text.hpp"
 #include "query/variant/recorded.hpp"
 
@@ -21,22 +20,41 @@ namespace query {
 
 std::atomic<QuestionRing*> living_ring{nullptr};
 
-std::string question_text(std::string_view question, std::initializer_list<PosedView> figures,
-                          std::initializer_list<double> numbers) {
-  std::string text(question);
-  for (const PosedView& figure : figures) text.append(" | ").append(figure_line(figure));
-  if (numbers.size() != 0) text.append(" |");
-  for (const double x : numbers) {
-    text += ' ';
-    append_hexadecimal(text, x);
+LineParts question_parts(std::string_view question, std::initializer_list<PosedView> figures,
+                         std::initializer_list<double> numbers) {
+  LineParts parts;
+  parts.text(question);
+  for (const PosedView& figure : figures) {
+    parts.text(" | ");
+    tell_figure(figure, parts);
   }
-  return text;
+  if (numbers.size() != 0) {
+    parts.word("|");
+    parts.numbers({numbers.begin(), numbers.size()});
+  }
+  return parts;
 }
 
 namespace {
 
-constexpr std::string_view opening = "# questions and answers of plumb, in a ring\n";
-constexpr std::string_view numbered = "  # ";
+using Part = std::uint64_t;
+using Parts = std::span<const Part>;
+
+/// The first line, of eight parts, tells the version; the next part how many bytes the ring has.
+constexpr std::string_view any_opening = "# questions and answers of plumb, in a ring";
+constexpr std::string_view opening = "# questions and answers of plumb, in a ring, version 2         \n";
+static_assert(opening.size() == 64 && opening.starts_with(any_opening));
+constexpr std::size_t opening_bytes = opening.size() + sizeof(Part);
+
+/// Before a question or an answer stands what it is, how many parts it has, and its line's number; behind it a sum of all.
+constexpr Part mark = 0x706c'756d'6251'0000;  // "plumbQ"; the last 16 bits are zero but for an answer
+constexpr std::size_t around = 4;             // parts besides
+Part begin_of(bool is_answer) { return mark | (is_answer ? 1 : 0); }
+Part sum_of_parts(Part begin, Part line, Parts parts) {
+  Part sum = begin ^ line * 0x9e37'79b9'7f4a'7c15;
+  for (const Part x : parts) sum = (sum ^ x) * 0x0000'0100'0000'01b3 + 1;
+  return sum;
+}
 
 [[noreturn]] void refuse_file(const std::string& file, int error) {
   throw Error(file + ": cannot be made a ring of questions: " + std::strerror(error));
@@ -63,7 +81,10 @@ class QuestionRing::Bytes {
  public:
   Bytes(char* at, std::size_t size, bool is_mapped) : all_(at, size), is_mapped_(is_mapped) {
     std::ranges::copy(opening, all_.begin());
-    body_ = all_.subspan(opening.size());
+    const Part bytes = size;
+    std::memcpy(at + opening.size(), &bytes, sizeof bytes);
+    body_ = all_.subspan(opening_bytes);
+    parts_ = body_.size() / sizeof(Part);
   }
   Bytes(const Bytes&) = delete;
   Bytes& operator=(const Bytes&) = delete;
@@ -75,24 +96,17 @@ class QuestionRing::Bytes {
     }
   }
 
-  std::uint64_t ask(std::string_view question) {
+  Place ask(const LineParts& question) {
     const std::lock_guard lock(one_at_a_time_);
-    const std::uint64_t line = ++lines_;
-    write(line, question);
-    return line;
+    const Place place{++lines_, written_};
+    write(false, place.line, question.kept());
+    return place;
   }
-  /// Behind the question, if that is the last line and there is room; else as a line of its own.
-  void answer(std::uint64_t line, std::string_view question, std::string_view answer) {
+  void answer(const Place& at, const LineParts& question, const LineParts& answer) {
     const std::lock_guard lock(one_at_a_time_);
-    const std::string told = std::string(" = ").append(answer);
-    const std::size_t behind = last_begin_ + question.size();
-    const std::string rest = ended(line, told);
-    if (line != last_line_ || behind + rest.size() + 1 > body_.size())
-      return write(line, std::string(question).append(told));
-    end_ = behind + rest.size();
-    body_[end_] = '\0';
-    std::atomic_signal_fence(std::memory_order_seq_cst);
-    std::ranges::copy(rest, body_.begin() + static_cast<std::ptrdiff_t>(behind));
+    const std::size_t room = answer.kept().size() + around;
+    if (written_ + room > at.written + parts_) write(false, at.line, question.kept());
+    write(true, at.line, answer.kept());
   }
   [[nodiscard]] std::string content() const {
     const std::lock_guard lock(one_at_a_time_);
@@ -104,35 +118,32 @@ class QuestionRing::Bytes {
   }
 
  private:
-  static std::string ended(std::uint64_t line, std::string_view text) {
-    return std::string(text).append(numbered).append(std::to_string(line)).append("\n");
-  }
-  /// A NUL stands before what is written until that is whole, and one behind it.
-  void write(std::uint64_t line, std::string_view text) {
-    const std::string whole = ended(line, text);
-    if (whole.size() + 1 > body_.size()) {
+  /// What is written in part has no right sum, and is none.
+  void write(bool is_answer, Part line, Parts parts) {
+    const std::size_t size = parts.size() + around;
+    if (size > parts_) {
       ++left_out_;
       return;
     }
-    if (end_ + whole.size() + 1 > body_.size()) {
-      std::ranges::fill(body_.subspan(end_), '\0');
-      end_ = 0;
+    if (end_ + size > parts_) {
+      std::ranges::fill(body_.subspan(end_ * sizeof(Part)), '\0');
+      written_ += parts_ - end_, end_ = 0;
     }
-    body_[end_] = '\0';
-    std::atomic_signal_fence(std::memory_order_seq_cst);  // a signal's handler, and the file, see these in order
-    std::ranges::copy(std::string_view(whole).substr(1), body_.begin() + static_cast<std::ptrdiff_t>(end_) + 1);
-    body_[end_ + whole.size()] = '\0';
-    std::atomic_signal_fence(std::memory_order_seq_cst);
-    body_[end_] = whole[0];
-    last_line_ = line;
-    last_begin_ = std::exchange(end_, end_ + whole.size());
+    const Part begin = begin_of(is_answer), before[3]{begin, parts.size(), line},
+               sum = sum_of_parts(begin, line, parts);
+    char* const to = body_.data() + end_ * sizeof(Part);
+    std::memcpy(to, before, sizeof before);
+    std::memcpy(to + sizeof before, parts.data(), parts.size_bytes());
+    std::memcpy(to + sizeof before + parts.size_bytes(), &sum, sizeof sum);
+    std::atomic_signal_fence(std::memory_order_seq_cst);  // it is in the file before the question is asked
+    end_ += size, written_ += size;
   }
 
   std::span<char> all_, body_;
   bool is_mapped_;
   mutable std::mutex one_at_a_time_;
-  std::uint64_t lines_ = 0, last_line_ = 0;
-  std::size_t last_begin_ = 0, end_ = 0, left_out_ = 0;
+  std::size_t parts_ = 0, end_ = 0, left_out_ = 0;
+  Part lines_ = 0, written_ = 0;
 };
 
 QuestionRing::QuestionRing(std::size_t bytes) : bytes_(std::make_unique<Bytes>(new char[bytes](), bytes, false)) {}
@@ -140,9 +151,9 @@ QuestionRing::QuestionRing(const std::string& file, std::size_t bytes)
     : bytes_(std::make_unique<Bytes>(mapped(file, bytes), bytes, true)) {}
 QuestionRing::~QuestionRing() = default;
 
-std::uint64_t QuestionRing::ask(std::string_view question) { return bytes_->ask(question); }
-void QuestionRing::answer(std::uint64_t line, std::string_view question, std::string_view answer) {
-  bytes_->answer(line, question, answer);
+QuestionRing::Place QuestionRing::ask(const LineParts& question) { return bytes_->ask(question); }
+void QuestionRing::answer(const Place& at, const LineParts& question, const LineParts& answer) {
+  bytes_->answer(at, question, answer);
 }
 std::string QuestionRing::content() const { return bytes_->content(); }
 std::size_t QuestionRing::left_out() const { return bytes_->left_out(); }
@@ -159,42 +170,40 @@ void begin_to_record(QuestionRing& ring) {
     throw Error("QuestionRecorder: another one lives; questions are kept by one at a time");
 }
 
-struct NumberedLine {
-  std::uint64_t number;
-  std::string_view text;
+/// Of a line that is kept; none of either is empty.
+struct KeptLine {
+  Parts question, answer;
 };
 
-/// Nothing of a line whose begin was overwritten.
-void tell_chunk(std::string_view chunk, std::vector<NumberedLine>& lines) {
-  while (!chunk.empty()) {
-    const std::size_t end = chunk.find('\n');
-    if (end == chunk.npos) return;
-    const std::string_view line = chunk.substr(0, end);
-    chunk.remove_prefix(end + 1);
-    const std::size_t mark = line.rfind(numbered);
-    if (mark == line.npos) continue;
-    const std::string_view digits = line.substr(mark + numbered.size());
-    NumberedLine read{0, line.substr(0, mark)};
-    if (std::from_chars(digits.data(), digits.data() + digits.size(), read.number).ec == std::errc())
-      lines.push_back(read);
+std::vector<std::string> lines_of_ring(std::string_view content) {
+  Part bytes = 0;
+  if (content.size() >= opening_bytes) std::memcpy(&bytes, content.data() + opening.size(), sizeof bytes);
+  if (bytes != content.size()) {
+    throw Error("a ring of questions was cut: it should have " +
+                (bytes == 0 ? "more than " + std::to_string(opening_bytes) : std::to_string(bytes)) +
+                " bytes, and has " + std::to_string(content.size()) + "; take all of the file");
   }
-}
-
-std::vector<std::string> lines_of_ring(std::string_view body) {
-  std::vector<NumberedLine> found;
-  for (std::size_t at = 0; at < body.size();) {
-    const std::size_t end = std::min(body.find('\0', at), body.size());
-    std::string_view chunk = body.substr(at, end - at);
-    if (at != 0) chunk.remove_prefix(std::min(chunk.find('\n'), chunk.size()));
-    tell_chunk(chunk, found);
-    at = end + 1;
+  std::vector<Part> all((content.size() - opening_bytes) / sizeof(Part));
+  if (!all.empty()) std::memcpy(all.data(), content.data() + opening_bytes, all.size() * sizeof(Part));
+  std::map<Part, KeptLine> kept;
+  for (std::size_t at = 0; at + around <= all.size();) {
+    const Parts from = Parts(all).subspan(at);
+    const bool is_answer = from[0] == begin_of(true);
+    const bool is_one = (is_answer || from[0] == begin_of(false)) && from[1] <= from.size() - around;
+    if (!is_one || sum_of_parts(from[0], from[2], from.subspan(3, from[1])) != from[3 + from[1]]) {
+      ++at;
+      continue;
+    }
+    KeptLine& line = kept[from[2]];
+    (is_answer ? line.answer : line.question) = from.subspan(3, from[1]);
+    at += from[1] + around;
   }
-  // A question that was answered after others has a line without the answer as well, which is shorter.
-  std::ranges::sort(found, {}, [](const NumberedLine& line) { return std::pair(line.number, line.text.size()); });
   std::vector<std::string> lines;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool is_told_again = i + 1 < found.size() && found[i + 1].number == found[i].number;
-    if (!is_told_again) lines.emplace_back(found[i].text);
+  for (const auto& [number, line] : kept) {
+    if (line.question.empty()) continue;
+    std::string text = LineParts::written(line.question);
+    if (!line.answer.empty()) text.append(" =").append(LineParts::written(line.answer));
+    lines.push_back(std::move(text));
   }
   return lines;
 }
@@ -214,13 +223,18 @@ QuestionRecorder::~QuestionRecorder() { query::living_ring.store(nullptr); }
 
 std::string QuestionRecorder::text() const {
   std::string text;
-  for (const std::string& line : recorded_lines(ring_->content())) text.append(line).append("\n");
+  for (const std::string& line : query::lines_of_ring(ring_->content())) text.append(line).append("\n");
   return text;
 }
 std::size_t QuestionRecorder::left_out() const { return ring_->left_out(); }
 
 std::vector<std::string> recorded_lines(std::string_view content) {
-  if (content.starts_with(query::opening)) return query::lines_of_ring(content.substr(query::opening.size()));
+  if (content.starts_with(query::opening)) return query::lines_of_ring(content);
+  if (content.starts_with(query::any_opening)) {
+    const std::string_view first = content.substr(0, content.find('\n'));
+    throw Error("a ring of questions of another version, or cut: it begins with \"" + std::string(first) +
+                "\"; version 2 is read here");
+  }
   std::vector<std::string> lines;
   while (!content.empty()) {
     const std::size_t end = std::min(content.find('\n'), content.size());

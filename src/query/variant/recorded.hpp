@@ -17,7 +17,7 @@
 
 namespace plumb::query {
 
-/// Lines in a ring of bytes that is not its own.  Each is behind a NUL but at the ring's begin, and ends by its number.
+/// Questions and answers in a ring of bytes, by their parts.
 class QuestionRing {
  public:
   explicit QuestionRing(std::size_t bytes);
@@ -26,9 +26,13 @@ class QuestionRing {
   QuestionRing& operator=(const QuestionRing&) = delete;
   ~QuestionRing();
 
-  /// The number of the line.
-  std::uint64_t ask(std::string_view question);
-  void answer(std::uint64_t line, std::string_view question, std::string_view answer);
+  /// Where a question is.
+  struct Place {
+    std::uint64_t line, written;  // its number, and how much was written before it
+  };
+  Place ask(const LineParts& question);
+  /// The question once more where it was overwritten.
+  void answer(const Place& at, const LineParts& question, const LineParts& answer);
 
   [[nodiscard]] std::string content() const;
   [[nodiscard]] std::size_t left_out() const;
@@ -41,8 +45,8 @@ class QuestionRing {
 /// None where nothing is recorded.
 extern std::atomic<QuestionRing*> living_ring;
 
-std::string question_text(std::string_view question, std::initializer_list<PosedView> figures,
-                          std::initializer_list<double> numbers);
+LineParts question_parts(std::string_view question, std::initializer_list<PosedView> figures,
+                         std::initializer_list<double> numbers);
 
 template <class Ask>
 auto recorded(std::string_view question, std::initializer_list<PosedView> figures,
@@ -50,14 +54,16 @@ auto recorded(std::string_view question, std::initializer_list<PosedView> figure
   QuestionRing* const ring = living_ring.load(std::memory_order_acquire);
   if (ring == nullptr) [[likely]]
     return ask();
-  const std::string text = question_text(question, figures, numbers);
-  const std::uint64_t line = ring->ask(text);
+  const LineParts parts = question_parts(question, figures, numbers);
+  const QuestionRing::Place at = ring->ask(parts);
   try {
     auto answer = ask();
-    ring->answer(line, text, answer_text(answer));
+    ring->answer(at, parts, answer_parts(answer));
     return answer;
   } catch (const Error& e) {
-    ring->answer(line, text, refusal_text(e));
+    LineParts refusal;
+    refusal.word(refusal_text(e));
+    ring->answer(at, parts, refusal);
     throw;
   }
 }

@@ -127,6 +127,9 @@ namespace query {
 
 std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, const ContactManifoldOptions& options,
                                           ContactCache* cache);
+/// The same of figures whose kinds are known at run time alone; a recorder keeps it (query/variant/question_recorder.hpp).
+std::optional<ContactManifold> any_contact_of(const BodyView& a, const BodyView& b,
+                                              const ContactManifoldOptions& options, ContactCache* cache);
 std::optional<ExactContact> exact_contact_of(const BodyView& a, const BodyView& b, double margin);
 
 }  // namespace query
@@ -134,7 +137,11 @@ std::optional<ExactContact> exact_contact_of(const BodyView& a, const BodyView& 
 template <ConvexBody3 A, ConvexBody3 B>
 std::optional<ContactManifold> contact(const A& a, const B& b, const ContactManifoldOptions& options = {},
                                        ContactCache* cache = nullptr) {
-  return query::contact_of(query::body_view(a), query::body_view(b), options, cache);
+  if constexpr (std::same_as<A, AnyFigure> || std::same_as<B, AnyFigure>) {
+    return query::any_contact_of(query::body_view(a), query::body_view(b), options, cache);
+  } else {
+    return query::contact_of(query::body_view(a), query::body_view(b), options, cache);
+  }
 }
 
 template <ConvexBody3 A, ConvexBody3 B>

@@ -69,13 +69,19 @@ struct ExactPenetration {
 namespace query {
 
 std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b, ContactCache* cache = nullptr);
+/// The same of figures whose kinds are known at run time alone; a recorder keeps it (query/variant/question_recorder.hpp).
+std::optional<Penetration> any_penetration_of(const BodyView& a, const BodyView& b, ContactCache* cache);
 std::optional<ExactPenetration> exact_penetration_of(const BodyView& a, const BodyView& b);
 
 }  // namespace query
 
 template <ConvexBody3 A, ConvexBody3 B>
 std::optional<Penetration> penetration(const A& a, const B& b, ContactCache* cache = nullptr) {
-  return query::penetration_of(query::body_view(a), query::body_view(b), cache);
+  if constexpr (std::same_as<A, AnyFigure> || std::same_as<B, AnyFigure>) {
+    return query::any_penetration_of(query::body_view(a), query::body_view(b), cache);
+  } else {
+    return query::penetration_of(query::body_view(a), query::body_view(b), cache);
+  }
 }
 
 template <ConvexBody3 A, ConvexBody3 B>
