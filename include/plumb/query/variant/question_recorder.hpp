@@ -9,12 +9,12 @@
 //   plumb replay questions.ring
 //
 // Laws: (1) every question of query/variant/questions.hpp that any thread asks is kept, and contact and penetration of
-// AnyFigures that are bodies, with its answer or what refused it, and what is asked of AnyFigures on the way.  (2) A question is in the ring before it is asked: one that never came
-// to its answer is the line that has none.  (3) text() and recorded_lines tell the lines in the order in which they were
-// asked; a line that was overwritten in part is none.  Numbers stand in the ring as doubles: one of another version, or cut, is
-// refused by name.
-// (4) Of recorders one lives at a time, and longer than the questions that are asked while it lives; another, a ring of
-// less than 1024 bytes, a file that is there, or one that cannot be made or mapped, throws Error.
+// AnyFigures that are bodies, with its answer or what refused it, and what is asked of AnyFigures on the way. (2) A
+// question is in the ring before it is asked: one that never came to its answer is the line that has none. (3) text()
+// and recorded_lines tell the lines in the order in which they were asked; a line that was overwritten in part is none.
+// Numbers stand in the ring as doubles: one of another version, or cut, is refused by name. (4) Of recorders one lives
+// at a time, and longer than the questions that are asked while it lives; another, a ring of less than 1024 bytes, a
+// file that is there, or one that cannot be made or mapped, throws Error.
 // Source: RTCD 2.7.1.
 // Cost: a load and a branch a question where no recorder lives; else that of copying its numbers, docs/questions.md.
 // Nothing is searched.
