@@ -13,6 +13,7 @@
 #include "plumb/surface/planar/planarity.hpp"
 #include "plumb/surface/planar/triangulate.hpp"
 #include "tool/mesh/writing_to.hpp"
+#include "tool/repair/shard.hpp"
 #include "tool/terminal/json_text.hpp"
 #include "tool/terminal/origin.hpp"
 #include "tool/terminal/output_files.hpp"
@@ -44,27 +45,6 @@ bool is_asked(const RepairSettings& settings, RepairKind kind) {
   if (kind == RepairKind::zip) return settings.tolerance != 0;
   if (kind == RepairKind::small_components) return settings.size != 0;
   return kind != RepairKind::slivers && kind != RepairKind::merge_coplanar;
-}
-
-std::vector<RepairStep> steps_of(const RepairSettings& settings) {
-  if (!std::isfinite(settings.tolerance)) throw Error("--tolerance: it is not a real number; give a finite length");
-  std::vector<RepairStep> steps;
-  for (const RepairKind kind : in_order) {
-    if (!is_asked(settings, kind)) continue;
-    if (settings.tolerance == 0 && !settings.only.empty() && (kind == RepairKind::slivers || kind == RepairKind::zip))
-      throw Error(fmt::format("--only {} needs a length; give it by '--tolerance LENGTH'", name_of(kind)));
-    if (settings.size == 0 && kind == RepairKind::small_components)
-      throw Error("--only small-components needs a number; give it by '--smallest N'");
-    steps.push_back({kind, settings.tolerance, settings.size, settings.chains ? WeldRule::chains : WeldRule::clusters,
-                     settings.keep_turned ? TurnedOver::kept : TurnedOver::refused});
-    if (kind == RepairKind::t_junctions && is_asked(settings, RepairKind::zip))
-      steps.back().tolerance = 0;  // what is open is left to zip, and what is then near an edge comes behind it
-    if (kind == RepairKind::zip && is_asked(settings, RepairKind::t_junctions))
-      steps.push_back({RepairKind::t_junctions, settings.tolerance});
-    if (kind == RepairKind::holes && is_asked(settings, RepairKind::walls))
-      steps.push_back({RepairKind::walls});  // what is within a solid whose holes are filled
-  }
-  return steps;
 }
 
 /// The name of the file that a mesh becomes in a folder: its own, but for formats that are not written.
@@ -127,18 +107,6 @@ void promise_meshes(const RepairSettings& settings, const Destinations& to, Outp
   }
 }
 
-/// Why a mesh is refused that has a polygon thicker than is allowed; its number is that of the file, from 0, as everywhere.
-std::optional<std::string> why_not_planar(const InputMesh& input, const std::optional<double>& length) {
-  if (!length) return {};
-  const std::vector<BentFace> bent = plumb::bent_faces(input.mesh, *length);
-  if (bent.empty()) return {};
-  const std::string more = bent.size() == 1 ? "" : fmt::format(", as are {} more", bent.size() - 1);
-  return fmt::format(
-      "{}: polygon {}, counted from 0, is {} thick, which is more than '--planar {}' allows{}; allow more, or "
-      "leave the option out to have such polygons triangulated",
-      printable(input.name), bent[0].face, bent[0].width.width, *length, more);
-}
-
 Repaired mended(const std::string& name, const TriangleMesh& mesh, const std::vector<RepairStep>& steps) {
   Progress bar(name, steps.size() + 1);
   RepairOptions options;
@@ -159,7 +127,40 @@ std::vector<std::string> step_names() {
   return names;
 }
 
+std::vector<RepairStep> steps_of(const RepairSettings& settings) {
+  if (!std::isfinite(settings.tolerance)) throw Error("--tolerance: it is not a real number; give a finite length");
+  std::vector<RepairStep> steps;
+  for (const RepairKind kind : in_order) {
+    if (!is_asked(settings, kind)) continue;
+    if (settings.tolerance == 0 && !settings.only.empty() && (kind == RepairKind::slivers || kind == RepairKind::zip))
+      throw Error(fmt::format("--only {} needs a length; give it by '--tolerance LENGTH'", name_of(kind)));
+    if (settings.size == 0 && kind == RepairKind::small_components)
+      throw Error("--only small-components needs a number; give it by '--smallest N'");
+    steps.push_back({kind, settings.tolerance, settings.size, settings.chains ? WeldRule::chains : WeldRule::clusters,
+                     settings.keep_turned ? TurnedOver::kept : TurnedOver::refused});
+    if (kind == RepairKind::t_junctions && is_asked(settings, RepairKind::zip))
+      steps.back().tolerance = 0;  // what is open is left to zip, and what is then near an edge comes behind it
+    if (kind == RepairKind::zip && is_asked(settings, RepairKind::t_junctions))
+      steps.push_back({RepairKind::t_junctions, settings.tolerance});
+    if (kind == RepairKind::holes && is_asked(settings, RepairKind::walls))
+      steps.push_back({RepairKind::walls});  // what is within a solid whose holes are filled
+  }
+  return steps;
+}
+
+std::optional<std::string> why_not_planar(const InputMesh& input, const std::optional<double>& length) {
+  if (!length) return {};
+  const std::vector<BentFace> bent = plumb::bent_faces(input.mesh, *length);
+  if (bent.empty()) return {};
+  const std::string more = bent.size() == 1 ? "" : fmt::format(", as are {} more", bent.size() - 1);
+  return fmt::format(
+      "{}: polygon {}, counted from 0, is {} thick, which is more than '--planar {}' allows{}; allow more, or "
+      "leave the option out to have such polygons triangulated",
+      printable(input.name), bent[0].face, bent[0].width.width, *length, more);
+}
+
 int run_repair(const RepairSettings& settings) {
+  if (settings.shard.asked()) return run_repair_shard(settings);
   if (settings.meshes.words.empty()) throw Error("repair: no mesh is named; 'plumb repair --help' explains");
   if (!settings.output && !settings.dry_run)
     throw Error(

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "plumb/surface/repair/repair.hpp"
+#include "tool/corpus/run_shard.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/terminal/terminal.hpp"
 
@@ -26,6 +27,7 @@ namespace plumb::tool {
 
 struct RepairSettings {
   MeshArguments meshes;
+  ShardOptions shard;                             // else all of the meshes, by this process
   std::optional<std::string> output, json, page;  // "-" is standard output
   std::vector<std::string> only;                  // names of steps
   double tolerance = 0;
@@ -36,6 +38,12 @@ struct RepairSettings {
 };
 
 int run_repair(const RepairSettings& settings);
+
+/// The steps that are asked for; throws Error where one lacks its length or number.
+std::vector<RepairStep> steps_of(const RepairSettings& settings);
+
+/// Why a mesh is refused that has a polygon thicker than is allowed; its number is that of the file, from 0, as everywhere.
+std::optional<std::string> why_not_planar(const InputMesh& input, const std::optional<double>& length);
 
 /// The names of all steps, in the order in which they run.
 std::vector<std::string> step_names();

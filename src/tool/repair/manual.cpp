@@ -6,7 +6,7 @@ Manual repair_manual() {
   return {"plumb repair",
           "mend meshes, and tell each change",
           {"plumb repair [OPTION]... MESH -o FILE", "plumb repair [OPTION]... MESH... -o FOLDER",
-           "plumb repair [OPTION]... --dry-run MESH..."},
+           "plumb repair [OPTION]... --dry-run MESH...", "plumb repair --shard I/N --out DIR [OPTION]... FOLDER"},
           {{"DESCRIPTION", R"(
 Reads each MESH as `plumb check` does, takes the steps below in turn,
 and writes the mesh that comes of them. Polygons are triangulated, also
@@ -18,6 +18,15 @@ compared exactly. What cannot be mended stays, and is told: surfaces
 that cross, holes whose filling would meet the surface or that two
 fillings fit equally well, one-sided components. At last the mesh is
 judged as `plumb check` does.)"},
+           {"SHARDS", R"(
+With --shard it mends one of N parts of the meshes in a folder, each by
+a process of its own, as `plumb check --shard` checks them, and writes
+each below DIR/mended under its own path, .obj behind it where its
+format is not written. The verdicts are sound (nothing was wrong, and
+nothing is changed), mended (nothing is left), left (something is),
+refused (by --planar, or because another file is in its place) and those
+that `plumb check` has of models that cannot be looked at. With
+--dry-run no mesh is written. `plumb collect DIR` tells of all.)"},
            {"STEPS", R"(
 Without --only all are taken but slivers, merge-coplanar, zip where
 there is no tolerance, and small-components where --smallest does not

@@ -47,6 +47,7 @@ Command repair_command(CLI::App& program) {
   add_output(parser, "--page", o.page,
              "Write one page for a browser, which needs no network: each mesh before and after, and its changes");
   parser->add_flag("--fail-on-left", o.fail_on_left, "Exit with 1 when a mended mesh still has a fault.");
+  add_shard(parser, o.shard);
   add_threads(parser, o.threads);
   return {parser, repair_manual, [settings] { return run_repair(*settings); }, &o.meshes.words};
 }
