@@ -64,7 +64,7 @@ class CutContact {
           jumps_[f][use.face.mesh] += parts_[use.face.mesh]->is_solid() && by.opposite != use.opposite ? -1 : 1;
   }
 
-  /// As common_of_one_piece_each; `met` are the triangles of each part that meet the other.
+  /// Does what common_of_one_piece_each does; `met` are the triangles of each part that meet the other.
   [[nodiscard]] std::optional<InCommon> common_of_one_piece_each(const std::array<std::vector<std::uint32_t>, 2>& met,
                                                                  bool gather) const {
     for (std::uint32_t f = 0; f < jumps_.size(); ++f)

@@ -42,7 +42,7 @@ class PairQuestion {
       });
     });
   }
-  /// By exact distances, then in the order of pairs.
+  /// Pairs ascend by exact distances, then in their order.
   [[nodiscard]] bool is_before(const RankedPair& p, const RankedPair& q) const {
     if (p.pair.distance != q.pair.distance) return p.pair.distance < q.pair.distance;
     const Sign sign = compare(exact(p), exact(q));

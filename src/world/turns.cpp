@@ -71,7 +71,7 @@ class TurningPair {
     };
     return (speed(a_) + speed(b_)).upper;
   }
-  /// For certain: they stand there exactly.
+  /// That they stand there exactly makes it certain.
   [[nodiscard]] bool surely_meet_at(double t) const {
     const Nearby a = nearby(a_, t), b = nearby(b_, t);
     if (a.off > 0 || b.off > 0) return false;

@@ -75,7 +75,7 @@ class ClashPart {
   /// Is it one surface, whose triangles have areas and meet in the edges and vertices that they share alone?  It is found
   /// out when it is first asked, from any thread.
   [[nodiscard]] bool is_simple() const;
-  /// Of a simple part: the triangle over the edge from each corner to the next.
+  /// What each edge of a simple part has over it: the triangle, from each corner to the next.
   [[nodiscard]] const std::vector<std::array<std::uint32_t, 3>>& neighbors() const;
   /// The corners of its hull, and whether that has the volume that the mesh bounds, which is below zero where triangles
   /// turn inward; not of an empty mesh.

@@ -19,7 +19,7 @@ class LineParts {
  public:
   LineParts() { all_.reserve(96); }
 
-  /// As it stands.
+  /// Takes it as it stands.
   void text(std::string_view t) { take(Kind::text, t.data(), t.size(), t.size()); }
   /// Behind a blank.
   void word(std::string_view t) { take(Kind::word, t.data(), t.size(), t.size()); }

@@ -261,7 +261,7 @@ HWY_INLINE Space<T> at_places(const Space<T>& x, const Places& k) {
   return {at_places(x.x, k), at_places(x.y, k), at_places(x.z, k)};
 }
 
-/// Of four points the coordinates, and which of them are told.
+/// Holds the coordinates of four points, and says which of them are told.
 struct ToldParts {
   std::array<Four, 3> at;
   std::array<unsigned, 3> are_told;

@@ -24,7 +24,7 @@ struct FacingSide {
   friend bool operator==(const FacingSide&, const FacingSide&) = default;
 };
 
-/// From the middle of a side of the first box to that of one of the second.
+/// Leads from the middle of a side of the first box to that of one of the second.
 template <class W, class Axes, class Lengths>
 auto way_between(W& w, const std::array<GivenBox, 2>& box, const Axes& axes, const Lengths& length,
                  const std::array<FacingSide, 2>& side) {

@@ -33,7 +33,7 @@ struct RoughSigns {
   std::optional<Sign> overlap, middle;
   std::array<std::optional<Sign>, 6> along{};
 };
-/// Of a body, where it is such a box.
+/// Tells nothing where the body is no such box.
 template <class Box>
 std::optional<Box> box_of(const CoreCorners& c) {
   if constexpr (std::same_as<Box, GivenBox>) {

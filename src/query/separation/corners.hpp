@@ -192,7 +192,8 @@ class CoreCorners {
                             arith::vec<T>(translation_) * T(weight_);
     return weighted(r, T(weight_), T(beside_weight_));
   }
-  /// From 1 on, or below zero for its opposite: the coordinate of the body's that a coordinate of space is, before it is moved.
+  /// Which coordinate of the body's is a coordinate of space, before it is moved?  It counts from 1 on, and is below zero
+  /// for the opposite.
   [[nodiscard]] int along_of(std::size_t row) const {
     const auto part = [row](const Vector3& c) { return row == 0 ? c.x : row == 1 ? c.y : c.z; };
     const std::array x{part(columns_[0]), part(columns_[1]), part(columns_[2])};
@@ -202,7 +203,8 @@ class CoreCorners {
     }
     return 0;
   }
-  /// By the matrix over its weight.  Where a coordinate of space is one of the body's, or its opposite, nothing is divided.
+  /// It goes by the matrix over its weight.  Where a coordinate of space is one of the body's, or its opposite, nothing is
+  /// divided.
   template <class T>
   [[nodiscard]] arith::Vec<T> divided(const arith::Vec<T>& v) const {
     const arith::Vec<T> u = arith::vec<T>(columns_[0]), w = arith::vec<T>(columns_[1]), x = arith::vec<T>(columns_[2]);

@@ -170,7 +170,7 @@ void begin_to_record(QuestionRing& ring) {
     throw Error("QuestionRecorder: another one lives; questions are kept by one at a time");
 }
 
-/// Of a line that is kept; none of either is empty.
+/// They are of a line that is kept; none of either is empty.
 struct KeptLine {
   Parts question, answer;
 };

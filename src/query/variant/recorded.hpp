@@ -26,7 +26,7 @@ class QuestionRing {
   QuestionRing& operator=(const QuestionRing&) = delete;
   ~QuestionRing();
 
-  /// Where a question is.
+  /// It says where a question is.
   struct Place {
     std::uint64_t line, written;  // its number, and how much was written before it
   };

@@ -109,7 +109,7 @@ void put_in_order(RoundedMesh& made) {
   std::ranges::sort(made.meeting);
 }
 
-/// In rounds that begin at the grid of round `first`, where that is not 0.
+/// Rounds begin at the grid of round `first`, where that is not 0.
 RoundedMesh rounded_from(const ExactMesh& mesh, std::uint32_t first, std::uint32_t rounds) {
   RoundedMesh made;
   ExactMesh exact = mesh;

@@ -30,7 +30,7 @@ namespace plumb::tool {
 inline constexpr std::string_view operation_names[] = {"union", "intersection", "difference", "symmetric"};
 inline constexpr std::string_view winding_rules[] = {"positive", "nonzero", "odd"};
 
-/// Of every command that makes a solid.
+/// Every command that makes a solid takes these.
 struct SolidOptions {
   std::optional<std::string> output;  // "-" is standard output
   std::uint32_t rounds = RoundingOptions{}.rounds;

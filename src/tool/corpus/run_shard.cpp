@@ -30,7 +30,7 @@ std::string name_below(const fs::path& folder, const std::string& file) {
   return name == path ? path : fmt::format("{}#{:016x}", name, hash_of_text(path));
 }
 
-/// By their names, which are sorted.
+/// They stand by their names, which are sorted.
 std::map<std::string, std::string> models_of(const fs::path& folder, const MeshInputs& inputs, const Shard& shard) {
   std::map<std::string, std::string> models;
   for (const std::string& file : inputs.files) {

@@ -21,7 +21,7 @@
 
 namespace plumb::tool {
 
-/// As they were given.
+/// They stand as they were given.
 struct ShardOptions {
   std::optional<std::string> shard, folder;  // "3/10", and where the lines go
   std::optional<double> seconds;

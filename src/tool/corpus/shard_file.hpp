@@ -58,7 +58,7 @@ class ShardFile {
   ShardFile& operator=(const ShardFile&) = delete;
   ~ShardFile();
 
-  /// By model, its verdict.
+  /// Each model has its verdict.
   [[nodiscard]] const std::map<std::string, std::string>& done() const { return done_; }
   void add(const nlohmann::json& model);
   /// All are done.
