@@ -30,13 +30,7 @@ numbers in it, from 0.
 
 A mesh that is open or whose triangles run against each other bounds
 nothing and is refused, with an edge; `plumb repair` mends many such.)"}},
-          {{"EXIT STATUS", R"(
-0      Done.
-1      The rounded result is not sound.
-2      Bad input: wrong usage, a file that cannot be read, is no mesh or
-       bounds nothing, a file that is there already, an output that
-       cannot be written. What was wrong stands on standard error, and
-       nothing is written.)"},
+          {{"EXIT STATUS", exit_status_of_solids("The rounded result is not sound.")},
            {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
 plumb boolean union hull.stl keel.stl fin.stl -o boat.stl

@@ -58,7 +58,7 @@ std::string collection_csv(const Collection& all);
 nlohmann::json collection_json(const Collection& all, bool with_models);
 std::string collection_page(const Collection& all);
 
-/// Of so many models the page tells.
+/// The page tells of so many models.
 inline constexpr std::size_t most_on_page = 1000;
 
 }  // namespace plumb::tool

@@ -14,6 +14,17 @@ std::string exit_status(std::string_view one) {
                      one);
 }
 
+std::string exit_status_of_solids(std::string_view one) {
+  return fmt::format(R"(
+0      Done.
+1      {}
+2      Bad input: wrong usage, a file that cannot be read, is no mesh or
+       bounds nothing, a file that is there already, an output that
+       cannot be written. What was wrong stands on standard error, and
+       nothing is written.)",
+                     one);
+}
+
 std::string environment() {
   return R"(
 NO_COLOR

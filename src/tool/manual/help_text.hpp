@@ -13,6 +13,8 @@ namespace plumb::tool {
 
 /// Of a command whose status may be 1; `one` says what that means.
 std::string exit_status(std::string_view one);
+/// The same of a command that makes solids and replaces no file.
+std::string exit_status_of_solids(std::string_view one);
 
 /// The variables that every command heeds, and the one that every batch of signs does.
 std::string environment();

@@ -15,13 +15,7 @@ parts that overlap become one, and what is inside out is outside.
 
 It is cut along itself exactly, then rounded and judged as `plumb
 boolean` does it.)"}},
-          {{"EXIT STATUS", R"(
-0      Done.
-1      The rounded result is not sound.
-2      Bad input: wrong usage, a file that cannot be read, is no mesh or
-       bounds nothing, a file that is there already, an output that
-       cannot be written. What was wrong stands on standard error, and
-       nothing is written.)"},
+          {{"EXIT STATUS", exit_status_of_solids("The rounded result is not sound.")},
            {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
 plumb resolve scan.stl -o plain.stl

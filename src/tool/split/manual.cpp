@@ -15,13 +15,7 @@ cut, they have the same corners.
 
 A mesh may touch and cross itself: it is resolved first. All is cut
 exactly; then each part is rounded and judged as by `plumb boolean`.)"}},
-          {{"EXIT STATUS", R"(
-0      Done.
-1      A rounded part is not sound.
-2      Bad input: wrong usage, a file that cannot be read, is no mesh or
-       bounds nothing, a file that is there already, an output that
-       cannot be written. What was wrong stands on standard error, and
-       nothing is written.)"},
+          {{"EXIT STATUS", exit_status_of_solids("A rounded part is not sound.")},
            {"ENVIRONMENT", environment()},
            {"EXAMPLES", R"(
 plumb split part.stl --plane z=12.5 -o lid.stl --other box.stl
