@@ -222,9 +222,10 @@ class CoreCorners {
     };
     return {part(0, u.x, w.x, x.x), part(1, u.y, w.y, x.y), part(2, u.z, w.z, x.z)};
   }
-  /// Where one of the poses has a matrix that is none of doubles.
+  /// Where one of the poses has a matrix that is none of doubles.  It is called, for it is rare, and its text for every kind
+  /// of pose, put inline wherever pairs of doubles want all inline, were most of a library.
   template <class T>
-  [[nodiscard]] arith::Vec<T> far_image(const arith::Vec<T>& p, bool is_point) const {
+  [[nodiscard]] [[gnu::noinline]] arith::Vec<T> far_image(const arith::Vec<T>& p, bool is_point) const {
     if constexpr (std::is_same_v<T, mpq_class>) {
       const ExactMap map = exact_map(pose_);
       const Exact3 r =
