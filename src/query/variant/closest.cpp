@@ -27,7 +27,7 @@ Closest closest_of_views(const PosedView& a, const PosedView& b) {
   require_answer(closest_pairs, "closest_points", a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) return closest_of_posed(a, b);
   if (b.figure.kind < a.figure.kind) return swapped(closest_of_views(b, a));
-  return asked_in_order<Closest>(
+  return asked_in_order<PairsOf<closest_pairs>, Closest>(
       "closest_points", a.figure, b.figure, [](const auto& x, const auto& y) requires requires {
         closest_points(x, y);
       } { return in_space(closest_points(x, y)); });

@@ -11,7 +11,7 @@ namespace {
 
 bool view_contains(const PosedView& outer, const PosedView& inner) {
   if (!is_posed_view(outer) && !is_posed_view(inner)) {
-    return asked_by_types<bool>(
+    return asked_by_types<PairsOf<contains_pairs>, bool>(
         "contains", outer.figure, inner.figure,
         [](const auto& x, const auto& y) requires requires { contains(x, y); } { return contains(x, y); });
   }

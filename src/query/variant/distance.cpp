@@ -11,7 +11,7 @@ double distance_of_views(const PosedView& a, const PosedView& b, Question questi
   require_answer(closest_pairs, name_of(question), a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) return posed_distance(a, b, question);
   if (b.figure.kind < a.figure.kind) return distance_of_views(b, a, question);
-  return asked_in_order<double>(
+  return asked_in_order<PairsOf<closest_pairs>, double>(
       name_of(question), a.figure,
       b.figure, [question](const auto& x, const auto& y) requires requires { distance_as(Question::distance, x, y); } {
         return distance_as(question, x, y);
@@ -28,12 +28,12 @@ ExactDistance exact_distance_of_views(const PosedView& a, const PosedView& b, Qu
   if (is_posed_view(a) || is_posed_view(b)) return posed_exact_distance(a, b, question);
   if (b.figure.kind < a.figure.kind) return exact_distance_of_views(b, a, question);
   if (is_squared) {
-    return asked_in_order<ExactDistance>(
+    return asked_in_order<PairsOf<closest_pairs>, ExactDistance>(
         name_of(question), a.figure, b.figure, [](const auto& x, const auto& y) requires requires {
           squared_distance_exact(x, y);
         } { return ExactDistance{squared_distance_exact(x, y)}; });
   }
-  return asked_in_order<ExactDistance>(
+  return asked_in_order<PairsOf<closest_pairs>, ExactDistance>(
       name_of(question), a.figure, b.figure,
       [](const auto& x, const auto& y) requires requires { exact_distance(x, y); } { return exact_distance(x, y); });
 }

@@ -11,7 +11,7 @@ bool views_meet(const PosedView& a, const PosedView& b) {
   require_related("intersects", a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) return relate_posed("intersects", a, b) != Relation::disjoint;
   if (b.figure.kind < a.figure.kind) return views_meet(b, a);
-  return asked_in_order<bool>(
+  return asked_in_order<RelatedPairs, bool>(
       "intersects", a.figure, b.figure,
       [](const auto& x, const auto& y) requires requires { intersects(x, y); } { return intersects(x, y); });
 }

@@ -25,7 +25,7 @@ Answer asked_of_corners(std::string_view question, const CornersInMotion& a, con
   }
   require_answer(moving_pairs, question, a.from.figure, b.from.figure);
   if (is_posed_motion(a) || is_posed_motion(b)) return as_posed(a, b, options);
-  return asked_by_types<Answer>(
+  return asked_by_types<PairsOf<moving_pairs>, Answer>(
       question, a.from.figure, b.from.figure,
       [&]<class A, class B>(const A& x, const B& y) requires requires {
         by_types(Moving<A>{x, x}, Moving<B>{y, y}, options);

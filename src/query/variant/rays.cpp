@@ -27,7 +27,7 @@ std::optional<Hit> first_hit_of_view(const PosedView& ray, const PosedView& figu
     if (triangle && !is_posed_view(ray)) return posed_first_hit(ray_of(ray.figure), *triangle, HitRule::closed);
     return posed_first_hit(ray, figure);
   }
-  return asked_by_types<std::optional<Hit>>(
+  return asked_by_types<PairsOf<hit_pairs>, std::optional<Hit>>(
       "first_hit", ray.figure, figure.figure, [](const auto& x, const auto& y) requires requires { first_hit(x, y); } {
         return hit_in_space(first_hit(x, y));
       });
@@ -36,7 +36,7 @@ std::optional<Hit> first_hit_of_view(const PosedView& ray, const PosedView& figu
 std::optional<RayParameter> first_parameter_of_view(const PosedView& ray, const PosedView& figure) {
   require_answer(hit_pairs, "first_hit_parameter", ray.figure, figure.figure);
   if (is_posed_view(ray) || is_posed_view(figure)) return posed_first_hit_parameter("first_hit_parameter", ray, figure);
-  return asked_by_types<std::optional<RayParameter>>(
+  return asked_by_types<PairsOf<hit_pairs>, std::optional<RayParameter>>(
       "first_hit_parameter", ray.figure, figure.figure, [](const auto& x, const auto& y) requires requires {
         first_hit_parameter(x, y);
       } { return first_hit_parameter(x, y); });
@@ -45,7 +45,7 @@ std::optional<RayParameter> first_parameter_of_view(const PosedView& ray, const 
 bool hits_view(const PosedView& ray, const PosedView& figure) {
   require_answer(hit_pairs, "hits", ray.figure, figure.figure);
   if (is_posed_view(ray) || is_posed_view(figure)) return posed_first_hit_parameter("hits", ray, figure).has_value();
-  return asked_by_types<bool>(
+  return asked_by_types<PairsOf<hit_pairs>, bool>(
       "hits", ray.figure, figure.figure,
       [](const auto& x, const auto& y) requires requires { hits(x, y); } { return hits(x, y); });
 }

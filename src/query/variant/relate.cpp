@@ -11,7 +11,7 @@ Relation relate_views(const PosedView& a, const PosedView& b) {
   require_related("relate", a.figure, b.figure);
   if (is_posed_view(a) || is_posed_view(b)) return relate_posed("relate", a, b);
   if (b.figure.kind < a.figure.kind) return relate_views(b, a);
-  return asked_in_order<Relation>(
+  return asked_in_order<RelatedPairs, Relation>(
       "relate", a.figure, b.figure,
       [](const auto& x, const auto& y) requires requires { relate(x, y); } { return relate(x, y); });
 }

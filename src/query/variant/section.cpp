@@ -17,7 +17,7 @@ AnyIntersection common_of_views(const PosedView& a, const PosedView& b) {
     return posed_intersection3(a, b);
   }
   if (b.figure.kind < a.figure.kind) return common_of_views(b, a);
-  return asked_in_order<AnyIntersection>(
+  return asked_in_order<PairsOf<intersection_pairs>, AnyIntersection>(
       "intersection", a.figure, b.figure, [](const auto& x, const auto& y) requires requires { intersection(x, y); } {
         return AnyIntersection(intersection(x, y));
       });
