@@ -13,8 +13,12 @@ array([ 0, -1], dtype=int8)
 4.0
 """
 
-from . import _plumb, answers
+from . import _picture, _plumb, answers
 from ._plumb import *
 from .answers import *
+
+# A class of pybind11 takes methods that are written in Python as well; the stub declares them.
+setattr(_plumb.Mesh, "_repr_html_", _picture.repr_html)
+setattr(_plumb.Mesh, "show", _picture.show)
 
 __all__ = _plumb.__all__ + answers.__all__
