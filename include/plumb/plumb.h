@@ -59,6 +59,23 @@ typedef struct plumb_progress {
   void* user;
 } plumb_progress;
 
+/* ---- memory ---- */
+
+/* Where the library takes its memory from.  `allocate` returns NULL where there is none, which becomes
+ * PLUMB_OUT_OF_MEMORY; `release` is told the bytes and the alignment, a power of two, that were asked for.  Any of the
+ * library's threads calls them; they do not call the library. */
+typedef struct plumb_allocator {
+  size_t size;
+  void* (*allocate)(size_t bytes, size_t alignment, void* user);
+  void (*release)(void* block, size_t bytes, size_t alignment, void* user);
+  void* user;
+} plumb_allocator;
+/* From now on, in all threads; NULL: from malloc.  All that handles and answers hold comes from it, and what is needed
+ * in between; numbers of GMP, files and stacks of threads do not: docs/c.md.  A block goes back to whom it came from,
+ * and some are kept until the process ends, so that whoever was set once must work as long.
+ * PLUMB_UNSUPPORTED where the library was built of shared libraries, whose memory it does not have. */
+plumb_status plumb_set_allocator(const plumb_allocator* allocator);
+
 /* ---- signs ---- */
 
 /* How many predicates there are: each line of plumb/predicates/manifest.hpp. */

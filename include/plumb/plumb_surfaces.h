@@ -118,6 +118,22 @@ plumb_status plumb_mesh_split(const plumb_mesh* mesh, const plumb_figure* plane,
 plumb_status plumb_mesh_resolve(const plumb_mesh* mesh, int rule, int merges, plumb_mesh** result,
                                 plumb_solid_report* report);
 
+/* ---- trees of solids ---- */
+
+/* A leaf, if `mesh` or `figure` is not NULL: a closed mesh, or a box, tetrahedron or polyhedron that stands as it is.
+ * Else a plumb_operation of the last `operands` trees that the steps before have made, one at least, which it takes. */
+typedef struct plumb_tree_step { /* does not grow: arrays of them are read */
+  const plumb_mesh* mesh;
+  const plumb_figure* figure;
+  int32_t operation;
+  uint32_t operands;
+} plumb_tree_step;
+/* The solid of a tree whose steps stand in postfix order, its root last: all leaves are cut along one another once, and
+ * the result is rounded at the end, however deep the tree is.  `merges`: all that lies in one plane becomes as few
+ * triangles as can be.  The report may be NULL. */
+plumb_status plumb_evaluate(const plumb_tree_step* steps, size_t count, int merges, plumb_mesh** result,
+                            plumb_solid_report* report);
+
 /* ---- repair, covers ---- */
 
 /* The steps of plumb/surface/repair/repair.hpp. */

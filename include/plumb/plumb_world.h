@@ -54,6 +54,10 @@ plumb_status plumb_world_remove(plumb_world* world, plumb_body body);
 plumb_status plumb_world_contains(const plumb_world* world, plumb_body body, int* answer);
 plumb_status plumb_world_size(const plumb_world* world, size_t* count);
 plumb_status plumb_world_allow_collision(plumb_world* world, plumb_body a, plumb_body b, int allowed);
+/* Pairs of which `keeps` returns 0 are left out from the next commit on; NULL: none.  Each is asked about once a
+ * commit, in the order of pairs; the filter may ask the world and not change it. */
+plumb_status plumb_world_set_filter(plumb_world* world, int (*keeps)(plumb_body a, plumb_body b, void* user),
+                                    void* user);
 
 /* ---- what meets ---- */
 
@@ -77,12 +81,26 @@ typedef struct plumb_world_contact {
   const plumb_corner* corners;
   size_t corner_count;
 } plumb_world_contact;
+/* A corner by its name, as that of a contact has it. */
+typedef struct plumb_world_corner {
+  uint64_t id_a, id_b;
+  plumb_body a, b;
+  plumb_part part_a, part_b;
+  plumb_feature feature_a, feature_b;
+} plumb_world_corner;
+typedef struct plumb_corner_events {
+  size_t size;
+  const plumb_world_corner *begun, *ended;
+  size_t begun_count, ended_count;
+} plumb_corner_events;
 
 /* What has begun, is kept and has ended since the last commit; events may be NULL. */
 plumb_status plumb_world_commit(plumb_world* world, plumb_world_events* events);
 plumb_status plumb_world_pairs(const plumb_world* world, const plumb_world_pair** pairs, size_t* count);
 /* Of a world that was created with contacts. */
 plumb_status plumb_world_contacts(const plumb_world* world, const plumb_world_contact** contacts, size_t* count);
+/* The corners that have begun and ended since the commit before the last; all others of contacts were there before. */
+plumb_status plumb_world_corner_events(const plumb_world* world, plumb_corner_events* events);
 /* What must hold and does not, a sentence a line; so many bodies are held against all others.  *length is that of the
  * whole text, of which an array that is long enough gets all and the ending 0; 0 where all holds. */
 plumb_status plumb_world_check(const plumb_world* world, size_t samples, char* text, size_t capacity, size_t* length);

@@ -19,6 +19,7 @@ struct plumb_world {
   std::vector<plumb_world_pair> begun, kept, ended, pairs;
   std::vector<plumb_world_contact> contacts;
   std::vector<plumb_corner> corners;
+  std::vector<plumb_world_corner> begun_corners, ended_corners;
 };
 
 namespace {
@@ -96,10 +97,22 @@ plumb_world_span told(const WorldContactSpan& s) {
 }
 plumb_body told(const BodyHandle& h) { return number_of(h); }
 
-std::vector<plumb_world_pair> all_told(const std::vector<WorldPair>& pairs) {
-  std::vector<plumb_world_pair> all;
-  all.reserve(pairs.size());
-  for (const WorldPair& p : pairs) all.push_back(told(p));
+plumb_world_corner told(const WorldCorner& k) {
+  return {k.id_a,
+          k.id_b,
+          number_of(k.a),
+          number_of(k.b),
+          told_part(k.part_a),
+          told_part(k.part_b),
+          told_feature(k.id.a),
+          told_feature(k.id.b)};
+}
+
+template <class Item>
+auto all_told(const std::vector<Item>& items) {
+  std::vector<decltype(told(items.front()))> all;
+  all.reserve(items.size());
+  for (const Item& item : items) all.push_back(told(item));
   return all;
 }
 
@@ -143,7 +156,10 @@ void keep_contacts(plumb_world& w) {
   }
   std::size_t next = 0;
   for (plumb_world_contact& k : contacts) k.corners = corners.data() + next, next += k.corner_count;
+  const WorldContactEvents& events = w.world.contact_events();
+  std::vector<plumb_world_corner> begun = all_told(events.begun), ended = all_told(events.ended);
   w.corners = std::move(corners), w.contacts = std::move(contacts);
+  w.begun_corners = std::move(begun), w.ended_corners = std::move(ended);
 }
 
 }  // namespace
@@ -229,6 +245,17 @@ plumb_status plumb_world_allow_collision(plumb_world* world, plumb_body a, plumb
   });
 }
 
+plumb_status plumb_world_set_filter(plumb_world* world, int (*keeps)(plumb_body a, plumb_body b, void* user),
+                                    void* user) {
+  return guarded("plumb_world_set_filter", [&] {
+    need(world, "world");
+    if (keeps == nullptr) return world->world.clear_filter();
+    world->world.set_filter([keeps, user](const BodyHandle& a, const BodyHandle& b) {
+      return keeps(number_of(a), number_of(b), user) != 0;
+    });
+  });
+}
+
 plumb_status plumb_world_commit(plumb_world* world, plumb_world_events* events) {
   return guarded("plumb_world_commit", [&] {
     need(world, "world");
@@ -259,6 +286,16 @@ plumb_status plumb_world_contacts(const plumb_world* world, const plumb_world_co
     need(count, "count");
     static_cast<void>(world->world.contacts());  // refuses where none are kept
     *contacts = world->contacts.data(), *count = world->contacts.size();
+  });
+}
+
+plumb_status plumb_world_corner_events(const plumb_world* world, plumb_corner_events* events) {
+  return guarded("plumb_world_corner_events", [&] {
+    need(world, "world");
+    need_size(events, "events");
+    static_cast<void>(world->world.contact_events());  // refuses where none are kept
+    c::write(events, plumb_corner_events{0, world->begun_corners.data(), world->ended_corners.data(),
+                                         world->begun_corners.size(), world->ended_corners.size()});
   });
 }
 

@@ -428,8 +428,56 @@ static void ask_clashes(void) {
   for (i = 0; i < 3; ++i) plumb_mesh_destroy(owned[i]);
 }
 
+/* Figures and a mesh are the leaves; what steps are refused is named. */
+static void ask_tree(void) {
+  plumb_figure low = figure(PLUMB_AABB, 3), high = low, ball = figure(PLUMB_BALL, 3);
+  plumb_tree_step steps[5];
+  plumb_solid_report report;
+  plumb_mesh *bore = NULL, *made = NULL;
+  const double* vertices = NULL;
+  size_t count = 0, i;
+  for (i = 0; i < 3; ++i) low.as.aabb3.max[i] = 2, high.as.aabb3.min[i] = 1, high.as.aabb3.max[i] = 3;
+  memset(steps, 0, sizeof steps);
+  steps[0].figure = &low, steps[1].figure = &high;
+  steps[2].operation = PLUMB_INTERSECT, steps[2].operands = 2;
+  report.size = sizeof report;
+  EXPECT_STATUS(plumb_evaluate(steps, 3, 0, &bore, &report), PLUMB_OK); /* the box from 1 to 2 */
+  EXPECT(report.is_sound && report.moved == 0);
+  EXPECT_STATUS(plumb_mesh_vertices(bore, &vertices, &count), PLUMB_OK);
+  EXPECT(count == 8);
+  for (i = 0; i < 3 * count; ++i) EXPECT(vertices[i] == 1 || vertices[i] == 2);
+  steps[2].operation = PLUMB_UNITE;
+  steps[3].mesh = bore;
+  steps[4].operation = PLUMB_SUBTRACT, steps[4].operands = 2;
+  EXPECT_STATUS(plumb_evaluate(steps, 5, 1, &made, NULL), PLUMB_OK); /* two boxes that touch no more but at edges */
+  EXPECT_STATUS(plumb_mesh_vertices(made, &vertices, &count), PLUMB_OK);
+  for (i = 0; i < count; ++i) EXPECT(vertices[3 * i] >= 0 && vertices[3 * i] <= 3);
+  plumb_mesh_destroy(made);
+  made = NULL;
+  steps[2].operation = PLUMB_SUBTRACT, steps[2].operands = 1; /* one operand stays as it is, so that two trees are left */
+  EXPECT_STATUS(plumb_evaluate(steps, 3, 0, &made, NULL), PLUMB_INVALID_ARGUMENT);
+  EXPECT(strstr(plumb_last_error(), "2 trees") != NULL);
+  steps[2].operands = 3;
+  EXPECT_STATUS(plumb_evaluate(steps, 3, 0, &made, NULL), PLUMB_INVALID_ARGUMENT);
+  EXPECT(strstr(plumb_last_error(), "steps[2] takes 3") != NULL);
+  steps[2].operands = 0;
+  EXPECT_STATUS(plumb_evaluate(steps, 3, 0, &made, NULL), PLUMB_INVALID_ARGUMENT);
+  steps[2].operands = 2, steps[2].operation = 9;
+  EXPECT_STATUS(plumb_evaluate(steps, 3, 0, &made, NULL), PLUMB_INVALID_ARGUMENT);
+  steps[1].mesh = bore;
+  EXPECT_STATUS(plumb_evaluate(steps, 2, 0, &made, NULL), PLUMB_INVALID_ARGUMENT);
+  ball.as.sphere3.radius = 1;
+  steps[0].figure = &ball;
+  EXPECT_STATUS(plumb_evaluate(steps, 1, 0, &made, NULL), PLUMB_UNSUPPORTED);
+  EXPECT_STATUS(plumb_evaluate(steps, 0, 0, &made, NULL), PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_evaluate(NULL, 1, 0, &made, NULL), PLUMB_INVALID_ARGUMENT);
+  EXPECT(made == NULL);
+  plumb_mesh_destroy(bore);
+}
+
 int main(void) {
   ask_topology();
+  ask_tree();
   ask_welding();
   ask_sections();
   ask_halves();

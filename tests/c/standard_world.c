@@ -9,6 +9,8 @@ IS_LARGE(plumb_body_options, 40);
 IS_LARGE(plumb_world_pair, 40);
 IS_LARGE(plumb_world_events, 56);
 IS_LARGE(plumb_world_contact, 104);
+IS_LARGE(plumb_world_corner, 64);
+IS_LARGE(plumb_corner_events, 40);
 IS_LARGE(plumb_world_hit, 80);
 IS_LARGE(plumb_world_near, 32);
 IS_LARGE(plumb_world_near_pair, 56);
@@ -52,6 +54,7 @@ static void ask_pairs(void) {
   plumb_world_events now;
   const plumb_world_pair* pairs = NULL;
   const plumb_world_contact* contacts = NULL;
+  plumb_corner_events corners;
   size_t count = 9;
   int answer = 7;
   char text[8] = "?";
@@ -76,12 +79,18 @@ static void ask_pairs(void) {
   EXPECT_STATUS(plumb_world_contacts(world, &contacts, &count), PLUMB_OK);
   EXPECT(count == 1 && contacts[0].corner_count == 1 && contacts[0].distance == 0);
   EXPECT(contacts[0].corners[0].on_a[0] == 1 && contacts[0].corners[0].on_b[1] == 0.5);
+  corners.size = sizeof corners;
+  EXPECT_STATUS(plumb_world_corner_events(world, &corners), PLUMB_OK);
+  EXPECT(corners.begun_count == 1 && corners.ended_count == 0 && corners.begun[0].id_a == 7 && corners.begun[0].b == b);
+  EXPECT(corners.begun[0].feature_a.kind == contacts[0].corners[0].feature_a.kind);
   EXPECT_STATUS(plumb_world_check(world, 100, text, sizeof text, &count), PLUMB_OK);
   EXPECT(count == 0 && text[0] == '\0');
   up.translation[0] = ldexp(1, -40);
   EXPECT_STATUS(plumb_world_move(world, b, &up), PLUMB_OK);
   EXPECT_STATUS(plumb_world_commit(world, &now), PLUMB_OK);
   EXPECT(now.begun_count == 0 && now.ended_count == 1 && now.ended[0].id_b == 8);
+  EXPECT_STATUS(plumb_world_corner_events(world, &corners), PLUMB_OK);
+  EXPECT(corners.begun_count == 0 && corners.ended_count == 1 && corners.ended[0].id_b == 8);
   ball = ball_at(0, 0, 0);
   EXPECT_STATUS(plumb_world_replace(world, b, &ball, 1), PLUMB_OK);
   EXPECT_STATUS(plumb_world_allow_collision(world, b, a, 1), PLUMB_OK);
@@ -93,6 +102,33 @@ static void ask_pairs(void) {
   EXPECT(answer == 0);
   EXPECT_STATUS(plumb_world_remove(world, b), PLUMB_FAILED);
   EXPECT(strstr(plumb_last_error(), "plumb_world_remove: CollisionWorld::remove: no body has slot 1") != NULL);
+  plumb_world_destroy(world);
+}
+
+/* Bodies of even numbers are left out; `user` counts how often that is asked. */
+static int is_odd(plumb_body a, plumb_body b, void* user) {
+  ++*(int*)user;
+  return a % 2 == 1 || b % 2 == 1;
+}
+
+static void ask_filter(void) {
+  plumb_world* world = NULL;
+  plumb_body body[3] = {0, 0, 0};
+  plumb_figure ball = ball_at(0, 0, 0);
+  plumb_world_events now;
+  int i, asked = 0, odd = 0;
+  now.size = sizeof now;
+  EXPECT_STATUS(plumb_world_create(NULL, &world), PLUMB_OK);
+  for (i = 0; i < 3; ++i) EXPECT_STATUS(plumb_world_add(world, &ball, 1, NULL, NULL, body + i), PLUMB_OK);
+  for (i = 0; i < 3; ++i) odd += (int)(body[i] % 2);
+  EXPECT(odd == 1);
+  EXPECT_STATUS(plumb_world_set_filter(world, is_odd, &asked), PLUMB_OK);
+  EXPECT_STATUS(plumb_world_commit(world, &now), PLUMB_OK);
+  EXPECT(asked == 3 && now.begun_count == 2);
+  EXPECT_STATUS(plumb_world_set_filter(world, NULL, NULL), PLUMB_OK);
+  EXPECT_STATUS(plumb_world_commit(world, &now), PLUMB_OK);
+  EXPECT(asked == 3 && now.begun_count == 1 && now.kept_count == 2);
+  EXPECT_STATUS(plumb_world_set_filter(NULL, is_odd, &asked), PLUMB_INVALID_ARGUMENT);
   plumb_world_destroy(world);
 }
 
@@ -162,6 +198,7 @@ static void refuse(void) {
   plumb_body_options id = named(41);
   plumb_figure ball = ball_at(0, 0, 0), flat = figure(PLUMB_BALL, 2);
   const plumb_world_contact* contacts = NULL;
+  plumb_corner_events corners;
   size_t count = 9;
   EXPECT_STATUS(plumb_world_create(NULL, NULL), PLUMB_INVALID_ARGUMENT);
   EXPECT_STATUS(plumb_world_create(NULL, &world), PLUMB_OK);
@@ -175,6 +212,10 @@ static void refuse(void) {
   ball = ball_at(0, 0, 0);
   EXPECT_STATUS(plumb_world_add(world, &ball, 1, NULL, &id, &body), PLUMB_INVALID_ARGUMENT);
   EXPECT_STATUS(plumb_world_contacts(world, &contacts, &count), PLUMB_UNSUPPORTED);
+  corners.size = sizeof corners;
+  EXPECT_STATUS(plumb_world_corner_events(world, &corners), PLUMB_UNSUPPORTED);
+  corners.size = 8;
+  EXPECT_STATUS(plumb_world_corner_events(world, &corners), PLUMB_INVALID_ARGUMENT);
   EXPECT_STATUS(plumb_world_size(world, &count), PLUMB_OK);
   EXPECT(count == 0 && body == 0);
   plumb_world_destroy(world);
@@ -183,6 +224,7 @@ static void refuse(void) {
 
 int main(void) {
   ask_pairs();
+  ask_filter();
   ask_questions();
   refuse();
   if (failures == 0) puts("all is as expected");
