@@ -6,61 +6,21 @@
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/arith/interval.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
+#include "query/body/chain_edges.hpp"
 #include "query/closest/answers.hpp"
 
 namespace plumb {
 namespace query {
 namespace {
 
-std::array<Point2, 4> corners(const Quadrilateral2& s) { return {s.a, s.b, s.c, s.d}; }
-std::array<Point3, 4> corners(const Quadrilateral3& s) { return {s.a, s.b, s.c, s.d}; }
-
-/// The vertices of all chains in turn, and where each chain begins.
-template <class Point>
-struct Chains {
-  std::vector<Point> vertices;
-  std::vector<std::size_t> first{0};
-
-  void add(std::span<const Point> chain) {
-    vertices.insert(vertices.end(), chain.begin(), chain.end());
-    first.push_back(vertices.size());
-  }
-  /// Where the edge ends that leaves vertex i of chain number c.
-  [[nodiscard]] std::size_t next(std::size_t c, std::size_t i) const {
-    return i + 1 == first[c + 1] ? first[c] : i + 1;
-  }
-  [[nodiscard]] std::size_t next(std::size_t i) const {
-    const auto c = std::ranges::upper_bound(first, i) - first.begin() - 1;
-    return next(static_cast<std::size_t>(c), i);
-  }
-};
-
-template <class Polygon>
-auto chains_of(const Polygon& s) {
-  if constexpr (requires { s.holes; }) {
-    Chains<std::remove_cvref_t<decltype(s.outer.vertices[0])>> chains;
-    chains.add(s.outer.vertices);
-    for (const auto& hole : s.holes) chains.add(hole.vertices);
-    return chains;
-  } else if constexpr (requires { s.vertices; }) {
-    Chains<std::remove_cvref_t<decltype(s.vertices[0])>> chains;
-    chains.add(s.vertices);
-    return chains;
-  } else {
-    Chains<std::remove_cvref_t<decltype(s.a)>> chains;
-    chains.add(corners(s));
-    return chains;
-  }
-}
-
 Feature region_of_edge(const Point2& a, const Point2& b, const Point2& p) { return voronoi_region(Segment2{a, b}, p); }
 Feature region_of_edge(const Point3& a, const Point3& b, const Point3& p) { return voronoi_region(Segment3{a, b}, p); }
 
 template <class T, class Point>
-Foot<T> foot_on_chain(const Chains<Point>& chains, const Feature& f, const Point& p) {
-  const Vec<T> a = vec<T>(chains.vertices[f.index]);
+Foot<T> foot_on_chain(const ChainCorners<Point>& chains, const Feature& f, const Point& p) {
+  const Vec<T> a = vec<T>(chains.corners[f.index]);
   if (f.kind == FeatureKind::vertex) return foot_on_point(a, vec<T>(p));
-  return foot_on_line(a, vec<T>(chains.vertices[chains.next(f.index)]) - a, vec<T>(p));
+  return foot_on_line(a, vec<T>(chains.corners[chains.next(f.index)]) - a, vec<T>(p));
 }
 
 Sign compare_feet(const Foot<BigDyadic>& a, const Foot<BigDyadic>& b) {
@@ -69,7 +29,7 @@ Sign compare_feet(const Foot<BigDyadic>& a, const Foot<BigDyadic>& b) {
 
 /// The nearest vertex or edge of the chains; of equally near ones the lowest.
 template <class Point>
-Feature nearest_on_chains(const Chains<Point>& chains, const Point& p) {
+Feature nearest_on_chains(const ChainCorners<Point>& chains, const Point& p) {
   struct Candidate {
     Feature feature;
     double at_least;
@@ -77,10 +37,10 @@ Feature nearest_on_chains(const Chains<Point>& chains, const Point& p) {
   std::vector<Candidate> candidates;
   double at_most = Interval::infinity;
   for (std::size_t c = 0; c + 1 < chains.first.size(); ++c) {
-    for (std::size_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
-      const std::size_t j = chains.next(c, i);
-      Feature f = region_of_edge(chains.vertices[i], chains.vertices[j], p);
-      f.index = static_cast<std::uint32_t>(f.kind == FeatureKind::vertex && f.index == 1 ? j : i);
+    for (std::uint32_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
+      const std::uint32_t j = chains.next(c, i);
+      Feature f = region_of_edge(chains.corners[i], chains.corners[j], p);
+      f.index = f.kind == FeatureKind::vertex && f.index == 1 ? j : i;
       const Foot<Interval> foot = foot_on_chain<Interval>(chains, f, p);
       const Interval square = quotient(foot.square(), foot.over());
       if (square.lower > at_most) continue;
@@ -119,12 +79,12 @@ struct SideInPlane {
 
 /// Does p project into the polygon, strictly?  Edges are counted that cross the ray from there across c's way to d, in
 /// the plane of c, d and e.
-bool projects_into(const Chains<Point3>& chains, const std::array<std::size_t, 3>& span, const Point3& p) {
-  const Point3 &c = chains.vertices[span[0]], &d = chains.vertices[span[1]], &e = chains.vertices[span[2]];
+bool projects_into(const ChainCorners<Point3>& chains, const std::array<std::size_t, 3>& span, const Point3& p) {
+  const Point3 &c = chains.corners[span[0]], &d = chains.corners[span[1]], &e = chains.corners[span[2]];
   bool odd = false;
   for (std::size_t k = 0; k + 1 < chains.first.size(); ++k) {
-    for (std::size_t i = chains.first[k]; i < chains.first[k + 1]; ++i) {
-      const Point3 &a = chains.vertices[i], &b = chains.vertices[chains.next(k, i)];
+    for (std::uint32_t i = chains.first[k]; i < chains.first[k + 1]; ++i) {
+      const Point3 &a = chains.corners[i], &b = chains.corners[chains.next(k, i)];
       const auto is_above = [&](const Point3& v) {
         return sign_of(predicates::OrderAlongLine3d{}, v, p, c, d) == Sign::positive;
       };
@@ -142,12 +102,12 @@ template <class Polygon>
 struct NearestOfPolygon2 {
   static Feature feature(const Polygon& s, const Point2& p) {
     if (locate(s, p) == Location::inside) return {FeatureKind::face, 0};
-    return nearest_on_chains(chains_of(s), p);
+    return nearest_on_chains(chain_corners(s), p);
   }
   template <class T>
   static Foot<T> foot(const Polygon& s, const Point2& p, const Feature& f) {
     if (f.kind == FeatureKind::face) return foot_of_itself(vec<T>(p));
-    return foot_on_chain<T>(chains_of(s), f, p);
+    return foot_on_chain<T>(chain_corners(s), f, p);
   }
 };
 template <>
@@ -160,11 +120,11 @@ struct Nearest<HoledPolygon2> : NearestOfPolygon2<HoledPolygon2> {};
 template <class Polygon>
 struct NearestOfPolygon3 {
   static void require_some(std::string_view function, const Polygon& s) {
-    require_planar(function, spoken(view_of(s)), plane_of_points(chains_of(s).vertices));
+    require_planar(function, spoken(view_of(s)), plane_of_points(chain_corners(s).corners));
   }
   static Feature feature(const Polygon& s, const Point3& p) {
-    const auto chains = chains_of(s);
-    const PlaneOfPoints plane = plane_of_points(chains.vertices);
+    const auto chains = chain_corners(s);
+    const PlaneOfPoints plane = plane_of_points(chains.corners);
     const Feature on_chain = nearest_on_chains(chains, p);
     if (plane.dimension < 2 || !projects_into(chains, plane.span, p)) return on_chain;
     // The foot may lie on a chain; then it is as near as the plane is.
@@ -174,11 +134,11 @@ struct NearestOfPolygon3 {
   }
   template <class T>
   static Foot<T> foot(const Polygon& s, const Point3& p, const Feature& f) {
-    const auto chains = chains_of(s);
+    const auto chains = chain_corners(s);
     if (f.kind != FeatureKind::face) return foot_on_chain<T>(chains, f, p);
-    const auto [i, j, k] = plane_of_points(chains.vertices).span;
-    const Vec<T> a = vec<T>(chains.vertices[i]), q = vec<T>(p);
-    const Vec<T> n = cross(vec<T>(chains.vertices[j]) - a, vec<T>(chains.vertices[k]) - a);
+    const auto [i, j, k] = plane_of_points(chains.corners).span;
+    const Vec<T> a = vec<T>(chains.corners[i]), q = vec<T>(p);
+    const Vec<T> n = cross(vec<T>(chains.corners[j]) - a, vec<T>(chains.corners[k]) - a);
     return foot_on_plane(n, dot(n, q - a), q);
   }
 };

@@ -7,43 +7,37 @@
 
 #include "figure/basic/plane_of_points.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
-#include "query/body/boundary.hpp"
+#include "query/body/chain_edges.hpp"
 #include "query/ray/answers.hpp"
 
 namespace plumb::query {
 namespace {
 
-/// Corners of all chains; facet i is edge i, of two corners.
+/// Facet i is edge i, of two corners.
 struct PolygonModel {
-  std::vector<Point3> corners;
-  std::vector<std::uint32_t> first{0};  // of each chain, and the end
+  ChainCorners<Point3> chains;
   PlaneOfPoints plane;
   bool holds_origin = false;  // of the ray, which begins there
 
-  [[nodiscard]] std::uint32_t edges() const { return static_cast<std::uint32_t>(corners.size()); }
-  [[nodiscard]] std::uint32_t after(std::uint32_t i) const {
-    std::size_t chain = 1;
-    while (first[chain] <= i) ++chain;
-    return i + 1 < first[chain] ? i + 1 : first[chain - 1];
-  }
+  [[nodiscard]] std::uint32_t edges() const { return static_cast<std::uint32_t>(chains.corners.size()); }
 
   template <class T>
   Facet<T> facet(const ShotLine<T>& line, std::uint32_t i) const {
-    const std::uint32_t j = after(i);
-    const Vec3<T> a = line.from_origin(corners[i]), b = line.from_origin(corners[j]);
+    const std::uint32_t j = chains.next(i);
+    const Vec3<T> a = line.from_origin(chains.corners[i]), b = line.from_origin(chains.corners[j]);
     return {2, {a, b, a, b}, {i, j, i, j}, {i, i, i, i}, 0};
   }
   template <class T>
   [[nodiscard]] Vec3<T> plane_normal() const {
     const auto& [a, b, c] = plane.span;
     if (plane.dimension < 2) return vector_of<T>(Vector3{0, 0, 0});
-    return cross(between<T>(corners[a], corners[b]), between<T>(corners[a], corners[c]));
+    return cross(between<T>(chains.corners[a], chains.corners[b]), between<T>(chains.corners[a], chains.corners[c]));
   }
   template <class T>
   Time<T> time(const ShotLine<T>& line, const When& when, RaySigns& ask) const {
     if (meeting_of(when) != Meeting::plane) return facet_time<T>(line, *this, when, ask);
     const Vec3<T> n = plane_normal<T>();
-    return {dot(line.from_origin(corners[plane.span[0]]), n), dot(line.direction, n)};
+    return {dot(line.from_origin(chains.corners[plane.span[0]]), n), dot(line.direction, n)};
   }
   template <class T>
   NormalForm<T> normal(const ShotLine<T>&, const Decided&, RaySigns&) const {
@@ -51,7 +45,7 @@ struct PolygonModel {
   }
   void know(const Decided& decided, Known& known) const {
     if (decided.feature.kind != FeatureKind::vertex) return;
-    const Point3& v = corners[decided.feature.index];
+    const Point3& v = chains.corners[decided.feature.index];
     known = {v.x, v.y, v.z};
   }
   template <class T>
@@ -74,12 +68,12 @@ std::optional<Feature> rim(const ShotLine<T>& line, const PolygonModel& model, c
 template <class T>
 bool winds_oddly(const ShotLine<T>& line, const PolygonModel& model, RaySigns& ask) {
   bool odd = false;
-  for (std::size_t chain = 0; chain + 1 < model.first.size(); ++chain) {
-    const std::uint32_t start = model.first[chain];
-    const Vec3<T> a = line.from_origin(model.corners[start]);
-    Vec3<T> b = line.from_origin(model.corners[start + 1]);
-    for (std::uint32_t i = start + 2; i < model.first[chain + 1]; ++i) {
-      const Vec3<T> c = line.from_origin(model.corners[i]);
+  for (std::size_t chain = 0; chain + 1 < model.chains.first.size(); ++chain) {
+    const std::uint32_t start = model.chains.first[chain];
+    const Vec3<T> a = line.from_origin(model.chains.corners[start]);
+    Vec3<T> b = line.from_origin(model.chains.corners[start + 1]);
+    for (std::uint32_t i = start + 2; i < model.chains.first[chain + 1]; ++i) {
+      const Vec3<T> c = line.from_origin(model.chains.corners[i]);
       odd ^= passes_perturbed(Facet<T>{3, {a, b, c, a}, {}, {}, 0}, line.direction, ask);
       b = c;
     }
@@ -110,7 +104,7 @@ std::optional<Decided> PolygonModel::decide(const ShotLine<T>& line, RaySigns& a
   if (holds_origin) return polygon_at_origin(line, *this, ask);
   if (has_no_direction(ray)) return {};
   const Vec3<T>&d = line.direction, n = plane_normal<T>();
-  const T slope = dot(d, n), above = dot(line.from_origin(corners[plane.span[0]]), n);
+  const T slope = dot(d, n), above = dot(line.from_origin(chains.corners[plane.span[0]]), n);
   const Sign way = ask(slope);
   if (way != Sign::zero) {
     const Time<T> time = with_positive_denominator(above, slope, way);
@@ -138,13 +132,8 @@ std::optional<Decided> PolygonModel::decide(const ShotLine<T>& line, RaySigns& a
 template <class Polygon>
 PolygonModel polygon_model(const Polygon& polygon, const RayQuestion& asked) {
   const auto& [function, ray] = asked;
-  PolygonModel model;
-  model.corners.reserve(4), model.first.reserve(2);
-  boundary::for_each_chain(polygon, [&](const auto& chain) {
-    boundary::for_each_place(chain, [&](const Point3& p) { model.corners.push_back(p); });
-    model.first.push_back(model.edges());
-  });
-  model.plane = plane_of_points(model.corners);
+  PolygonModel model{chain_corners(polygon), {}};
+  model.plane = plane_of_points(model.chains.corners);
   require_planar(function, std::is_same_v<Polygon, Quadrilateral3> ? "quadrilateral" : "polygon", model.plane);
   model.holds_origin = (begins(ray) || has_no_direction(ray)) && contains(polygon, ray.origin);
   return model;

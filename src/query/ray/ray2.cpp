@@ -3,18 +3,16 @@
 // plane z = 0 rounds nothing.
 #include "plumb/query/ray/ray2.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <vector>
 
-#include "figure/basic/in_space.hpp"
 #include "plumb/figure/containment/contains.hpp"
 #include "plumb/figure/containment/polygon_location.hpp"
 #include "plumb/query/ray/hits.hpp"
-#include "query/body/boundary.hpp"
+#include "query/body/chain_edges.hpp"
 #include "query/body/figure_input.hpp"
-#include "query/ray/numbers.hpp"
+#include "query/body/in_space.hpp"
+#include "query/ray/answers.hpp"
 
 namespace plumb::query {
 namespace {
@@ -42,181 +40,81 @@ void require_ray2(std::string_view function, const AnyRay2& ray, const Shape& s)
   }
 }
 
-struct Edge2 {
-  Point2 a, b;
-  std::uint32_t at_a, at_b, number;
-};
-
-template <class Shape>
-std::vector<Edge2> edges_of(const Shape& s) {
-  struct Heard {
-    std::vector<Point2> corners;
-    std::vector<Edge2> edges;
-
-    void corner(const arith::Vec<double>& p) { corners.push_back({p.x, p.y}); }
-    void edge(std::uint32_t from, std::uint32_t to, std::uint32_t number) {
-      edges.push_back({corners[from], corners[to], from, to, number});
-    }
-    void face(std::span<const std::uint32_t>, std::uint32_t) {}
-  } heard;
-  heard.corners.reserve(4), heard.edges.reserve(4);
-  if (!is_nothing(s)) tell_boundary<double>(s, heard);
-  return std::move(heard.edges);
-}
-
 template <class T>
 T area(const Vec3<T>& u, const Vec3<T>& v) {
   return u.x * v.y - u.y * v.x;
 }
 
-/// Met where the line crosses it, or, along it, at its ends a and b; its vertices 0 and 1, its edge 0.
-struct EdgeModel {
-  enum : std::uint32_t { crossing, at_a, at_b };
-  const Edge2& e;
-
-  template <class T>
-  Time<T> time(const ShotLine<T>& line, const When& when, RaySigns&) const {
-    const Vec3<T>& d = line.direction;
-    if (when.part != crossing) {
-      const Vec3<T> end = line.from_origin(in_space(when.part == at_a ? e.a : e.b));
-      return {dot(end, d), dot(d, d)};
-    }
-    const Vec3<T> along = between<T>(in_space(e.a), in_space(e.b));
-    return {area(line.from_origin(in_space(e.a)), along), area(d, along)};
+/// The edges that the line may meet, each a facet of two corners; a decision's normal is 2 times an edge's place in the
+/// list, plus 1 where the edge runs to the left across the ray.
+struct EdgesModel {
+  template <class Shape>
+  EdgesModel(const AnyRay& ray, const Shape& s) {
+    if (!is_nothing(s)) edges = chain_edges(s);
+    const ShotLine<Approximate> line(ray);
+    std::erase_if(edges, [&](const ChainEdge& e) {
+      RaySigns ask;
+      const Sign from = ask(area(line.direction, line.from_origin(e.shape.a)));
+      const Sign to = ask(area(line.direction, line.from_origin(e.shape.b)));
+      return ask.certain() && from == to && from != Sign::zero;
+    });
   }
-  /// Perpendicular, against a ray across which the edge runs to the right (0) or to the left (1).
+  std::vector<ChainEdge> edges;
+
+  [[nodiscard]] std::uint32_t facets() const { return static_cast<std::uint32_t>(edges.size()); }
+  template <class T>
+  Facet<T> facet(const ShotLine<T>& line, std::uint32_t i) const {
+    const auto& [shape, from, to, whole] = edges[i];
+    const Vec3<T> a = line.from_origin(shape.a), b = line.from_origin(shape.b);
+    return {2, {a, b, a, b}, {from, to, from, to}, {whole.index, whole.index}, 0};
+  }
+  template <class T>
+  Time<T> time(const ShotLine<T>& line, const When& when, RaySigns& ask) const {
+    return facet_time<T>(line, *this, when, ask);
+  }
+  template <class T>
+  std::optional<Decided> decide(const ShotLine<T>& line, RaySigns& ask) const {
+    const Vec3<T>& d = line.direction;
+    Earliest<T> earliest;
+    if (has_no_direction(line.ray)) {
+      earliest.found = Candidate<T>{time_zero<T>(), {}, false};
+    } else {
+      for (std::uint32_t i = 0; i < facets(); ++i) meet_edge(line, facet(line, i), i, 0, earliest, ask);
+    }
+    if (!earliest.found) return {};
+    const auto& [time, when, inside] = *earliest.found;
+    const When at_or_zero = ask(time.numerator) == Sign::zero ? When{} : when;
+    const Vec3<T> p = times(d, time.numerator);
+    std::optional<Decided> first;
+    for (std::uint32_t i = 0; i < facets(); ++i) {
+      const Facet<T> f = facet(line, i);
+      const auto at = corner_or_edge(f, p, time.denominator, ask);
+      if (!at) continue;
+      if (!first) first = Decided{at_or_zero, *at, false, 0};
+      if (std::pair(at->kind, at->index) < std::pair(first->feature.kind, first->feature.index)) first->feature = *at;
+      if (first->has_normal) continue;
+      const Sign across = ask(area(d, f.corners[1] - f.corners[0]));
+      if (across != Sign::zero) first->has_normal = true, first->normal = 2 * i + (across == Sign::positive ? 1 : 0);
+    }
+    return first;
+  }
+  /// At right angles to the edge, against the ray.
   template <class T>
   NormalForm<T> normal(const ShotLine<T>&, const Decided& decided, RaySigns&) const {
-    const Vec3<T> along = between<T>(in_space(e.a), in_space(e.b));
-    const T zero(0.0);
-    return still_normal(decided.normal == 0 ? Vec3<T>{along.y, zero - along.x, zero}
-                                            : Vec3<T>{zero - along.y, along.x, zero});
+    const Segment3& e = edges[decided.normal / 2].shape;
+    const Vec3<T> along = decided.normal % 2 == 0 ? between<T>(e.a, e.b) : between<T>(e.b, e.a);
+    return still_normal(Vec3<T>{along.y, T(0.0) - along.x, T(0.0)});
   }
   void know(const Decided& decided, Known& known) const {
-    if (decided.feature.kind == FeatureKind::vertex) {
-      const Point2& v = decided.feature.index == 0 ? e.a : e.b;
-      known[0] = v.x, known[1] = v.y;
-    } else {
-      if (e.a.x == e.b.x) known[0] = e.a.x;
-      if (e.a.y == e.b.y) known[1] = e.a.y;
+    for (const auto& [shape, from, to, whole] : edges) {
+      const auto& [a, b] = shape;
+      if (decided.feature == Feature{FeatureKind::vertex, from}) known[0] = a.x, known[1] = a.y;
+      if (decided.feature == Feature{FeatureKind::vertex, to}) known[0] = b.x, known[1] = b.y;
+      if (decided.feature == whole && a.x == b.x) known[0] = a.x;
+      if (decided.feature == whole && a.y == b.y) known[1] = a.y;
     }
   }
 };
-
-/// `across` is positive where the edge runs to the left across the ray, zero where along it.
-Decided met(When::At at, std::uint32_t part, const Feature& feature, Sign across) {
-  return {{at, 0, part}, feature, across != Sign::zero, across == Sign::positive ? 1u : 0u};
-}
-
-constexpr Feature inside_edge{FeatureKind::edge, 0};
-constexpr Feature end(std::uint32_t i) { return {FeatureKind::vertex, i}; }
-
-/// The ray runs along the edge's line.
-template <class T>
-std::optional<Decided> decide_along(const AnyRay& ray, const EdgeModel& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
-  const Vec3<T>& d = line.direction;
-  const Vec3<T> p = line.from_origin(in_space(model.e.a)), q = line.from_origin(in_space(model.e.b));
-  const bool ahead = ask(dot(between<T>(in_space(model.e.a), in_space(model.e.b)), d)) != Sign::negative;
-  const std::uint32_t near = ahead ? 0 : 1, far = 1 - near;
-  const Sign first = ask(dot(ahead ? p : q, d)), last = ask(dot(ahead ? q : p, d));
-  if (begins(ray) && first == Sign::negative) {
-    if (last == Sign::negative) return {};
-    return met(When::At::zero, 0, last == Sign::zero ? end(far) : inside_edge, Sign::zero);
-  }
-  const When when{When::At::quotient, 0, ahead ? EdgeModel::at_a : EdgeModel::at_b};
-  if (!in_range(ray, model.time(line, when, ask), ask)) return {};
-  return met(first == Sign::zero ? When::At::zero : when.at, when.part, end(near), Sign::zero);
-}
-
-template <class T>
-std::optional<Decided> decide_edge(const AnyRay& ray, const EdgeModel& model, RaySigns& ask) {
-  const ShotLine<T> line(ray);
-  const Vec3<T>& d = line.direction;
-  const Vec3<T> p = line.from_origin(in_space(model.e.a)), q = line.from_origin(in_space(model.e.b));
-  if (has_no_direction(ray)) {
-    if (ask(area(p, q)) != Sign::zero || ask(dot(p, q)) == Sign::positive) return {};
-    const bool at_a = ray.origin == in_space(model.e.a), at_b = ray.origin == in_space(model.e.b);
-    return met(When::At::zero, 0, at_a ? end(0) : at_b ? end(1) : inside_edge, Sign::zero);
-  }
-  const Sign a = ask(area(d, p)), b = ask(area(d, q));  // on which side of the line
-  if (a == b) return a == Sign::zero ? decide_along<T>(ray, model, ask) : std::nullopt;
-  const Sign across = b == Sign::positive || a == Sign::negative ? Sign::positive : Sign::negative;
-  const When when{When::At::quotient, 0, EdgeModel::crossing};
-  const Time<T> crossing = model.time(line, when, ask);
-  const Time<T> time = with_positive_denominator(crossing.numerator, crossing.denominator, across);
-  if (!in_range(ray, time, ask)) return {};
-  const bool at_zero = ask(time.numerator) == Sign::zero;
-  const Feature feature = a == Sign::zero ? end(0) : b == Sign::zero ? end(1) : inside_edge;
-  return met(at_zero ? When::At::zero : when.at, when.part, feature, across);
-}
-
-Feature feature_of(const Edge2& e, const Feature& f) {
-  if (f.kind == FeatureKind::edge) return {f.kind, e.number};
-  return {f.kind, f.index == 0 ? e.at_a : e.at_b};
-}
-
-std::optional<Decided> decided(const AnyRay& ray, const EdgeModel& model) {
-  return certainly<RayWorlds>([&]<class T>(RayWorld<T>& signs) { return decide_edge<T>(ray, model, signs); });
-}
-
-/// Which edges are hit first, and where.
-class FirstEdge {
- public:
-  explicit FirstEdge(const AnyRay2& ray) : ray_(in_space(ray)) {}
-
-  void ask(const Edge2& e) {
-    const EdgeModel model{e};
-    const auto edge = decided(ray_, model);
-    if (!edge) return;
-    const Hit at = numbers_of(ray_, model, *edge);
-    const Hit2 hit{at.t, {at.point.x, at.point.y}, feature_of(e, at.feature), {at.normal.x, at.normal.y}};
-    const int order = found_ ? compare(hit, model, *edge) : -1;
-    if (order > 0) return;
-    if (order < 0) {
-      found_ = hit, edge_ = e, decided_ = *edge;
-      return;
-    }
-    const auto rank = [](const Feature& f) { return std::tuple(f.kind, f.index); };
-    if (rank(hit.feature) < rank(found_->feature)) found_->feature = hit.feature;
-    if (found_->normal == Vector2{0, 0}) found_->normal = hit.normal;
-  }
-  [[nodiscard]] const std::optional<Hit2>& hit() const { return found_; }
-  [[nodiscard]] std::optional<RayParameter> parameter() const {
-    if (!found_) return {};
-    return parameter_of(ray_, EdgeModel{edge_}, decided_);
-  }
-
- private:
-  /// Rounding keeps order.
-  [[nodiscard]] int compare(const Hit2& hit, const EdgeModel& model, const Decided& decided) const {
-    if (hit.t != found_->t) return hit.t < found_->t ? -1 : 1;
-    const bool corners = hit.feature.kind == FeatureKind::vertex && found_->feature.kind == FeatureKind::vertex;
-    if (corners && hit.point == found_->point) return 0;
-    const auto order = parameter_of(ray_, model, decided) <=> *parameter();
-    return order < 0 ? -1 : order > 0 ? 1 : 0;
-  }
-
-  AnyRay ray_;
-  std::optional<Hit2> found_;
-  Edge2 edge_{};
-  Decided decided_{};
-};
-
-template <class Shape>
-FirstEdge first_edge(const AnyRay2& ray, const Shape& s) {
-  FirstEdge first(ray);
-  for (const Edge2& e : edges_of(s)) first.ask(e);
-  return first;
-}
-
-KDop3 in_space(const KDop2& k_dop) {
-  std::vector<Vector3> directions;
-  for (const Vector2& d : k_dop.directions.all()) directions.push_back(plumb::in_space(d));
-  return {Directions3(directions), k_dop.min, k_dop.max};
-}
-/// The box is a rectangle of the plane z = 0.
-Rectangle3 in_space(const Obb2& b) { return {in_space(b.center), {in_space(b.axes[0]), in_space(b.axes[1])}, b.half}; }
 
 /// Rounded once: doubling is exact, before or after.
 double twice_product(double half, double x) {
@@ -258,18 +156,16 @@ bool begins_inside(const AnyRay2& ray, const Shape& s) {
   }
 }
 
-/// Of what has faces in space the feature and the normal are those of there.
-template <class Shape>
-std::optional<Hit2> hit_lifted(const AnyRay& ray, const Shape& s) {
-  const auto hit = plumb::first_hit(ray, in_space(s));
-  if (!hit) return {};
-  Hit2 flat{hit->t, {hit->point.x, hit->point.y}, hit->feature, {hit->normal.x, hit->normal.y}};
-  if constexpr (has_faces_lifted<Shape>) {
-    flat.feature.kind = hit->feature.kind == FeatureKind::interior ? FeatureKind::face : FeatureKind::edge;
+/// As it is asked in space: what is straight by its edges.
+template <class Answer, class Shape>
+std::optional<Answer> answer_in_space(const AnyRay& ray, const Shape& s) {
+  if constexpr (!is_lifted<Shape>) {
+    return answer_of_model<Answer>(ray, EdgesModel(ray, s));
+  } else if constexpr (std::is_same_v<Answer, Hit>) {
+    return plumb::first_hit(ray, in_space(s));
   } else {
-    flat.normal = normal_of(ray, s, hit->feature);
+    return plumb::first_hit_parameter(ray, in_space(s));
   }
-  return flat;
 }
 
 }  // namespace
@@ -278,30 +174,30 @@ template <class Shape>
 std::optional<Hit2> RayAnswers2<Shape>::first_hit(const AnyRay2& ray, const Shape& s) {
   require_ray2("first_hit", ray, s);
   if (begins_inside(ray, s)) return Hit2{0, {ray.origin.x + 0.0, ray.origin.y + 0.0}, {FeatureKind::face, 0}, {0, 0}};
-  if constexpr (is_lifted<Shape>) {
-    return hit_lifted(in_space(ray), s);
-  } else {
-    return first_edge(ray, s).hit();
+  const AnyRay lifted = in_space(ray);
+  const auto hit = answer_in_space<Hit>(lifted, s);
+  if (!hit) return {};
+  Hit2 flat{hit->t, {hit->point.x, hit->point.y}, hit->feature, {hit->normal.x, hit->normal.y}};
+  if constexpr (has_faces_lifted<Shape>) {
+    flat.feature.kind = hit->feature.kind == FeatureKind::interior ? FeatureKind::face : FeatureKind::edge;
+  } else if constexpr (is_lifted<Shape>) {
+    flat.normal = normal_of(lifted, s, hit->feature);
   }
+  return flat;
 }
 template <class Shape>
 std::optional<RayParameter> RayAnswers2<Shape>::first_hit_parameter(const AnyRay2& ray, const Shape& s) {
   require_ray2("first_hit_parameter", ray, s);
-  if constexpr (is_lifted<Shape>) {
-    return plumb::first_hit_parameter(in_space(ray), in_space(s));
-  } else {
-    return begins_inside(ray, s) ? RayParameter{Rational(0.0)} : first_edge(ray, s).parameter();
-  }
+  if (!is_lifted<Shape> && begins_inside(ray, s)) return RayParameter{Rational(0.0)};
+  return answer_in_space<RayParameter>(in_space(ray), s);
 }
 template <class Shape>
 bool RayAnswers2<Shape>::hits(const AnyRay2& ray, const Shape& s) {
   require_ray2("hits", ray, s);
-  const AnyRay lifted = in_space(ray);
   if constexpr (is_lifted<Shape>) {
-    return plumb::hits(lifted, in_space(s));
+    return plumb::hits(in_space(ray), in_space(s));
   } else {
-    return begins_inside(ray, s) ||
-           std::ranges::any_of(edges_of(s), [&](const Edge2& e) { return decided(lifted, EdgeModel{e}).has_value(); });
+    return begins_inside(ray, s) || answer_in_space<Decided>(in_space(ray), s).has_value();
   }
 }
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <variant>
 
-#include "figure/basic/in_space.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/query/body/any_figure.hpp"
 #include "plumb/query/body/detail/with_figure.hpp"
@@ -11,6 +10,7 @@
 #include "plumb/query/overlap/posed_distance.hpp"
 #include "plumb/query/time_of_impact/posed.hpp"
 #include "query/body/figure_input.hpp"
+#include "query/body/in_space.hpp"
 #include "query/body/posed_input.hpp"
 #include "query/body/weighted_pose.hpp"
 #include "query/convex/exact_map.hpp"
@@ -21,21 +21,9 @@
 namespace plumb::query {
 namespace {
 
-Polygon3 lifted_chain(const Polygon2& polygon) {
-  Polygon3 lifted;
-  for (const Point2& p : polygon.vertices) lifted.vertices.push_back(in_space(p));
-  return lifted;
-}
-
 template <class Shape>
 auto lifted_shape(const Shape& s) {
-  if constexpr (std::is_same_v<Shape, Polygon2>) {
-    return lifted_chain(s);
-  } else if constexpr (std::is_same_v<Shape, HoledPolygon2>) {
-    HoledPolygon3 lifted{lifted_chain(s.outer), {}};
-    for (const Polygon2& hole : s.holes) lifted.holes.push_back(lifted_chain(hole));
-    return lifted;
-  } else if constexpr (std::is_same_v<Shape, Obb2>) {
+  if constexpr (std::is_same_v<Shape, Obb2>) {
     return Obb3{in_space(s.center),
                 {in_space(s.axes[0]), in_space(s.axes[1]), {0, 0, 1}},
                 {std::fabs(s.half.x), std::fabs(s.half.y), 0}};
