@@ -54,10 +54,7 @@ Relation relate_to_aabb(const A& a, const Aabb3& b, query::Question question) {
 
 namespace query {
 
-PLUMB_PAIR_ANSWER(Line3, Aabb3, relate_to_aabb)
-PLUMB_PAIR_ANSWER(Ray3, Aabb3, relate_to_aabb)
-PLUMB_PAIR_ANSWER(Segment3, Aabb3, relate_to_aabb)
-PLUMB_PAIR_ANSWER(Triangle3, Aabb3, relate_to_aabb)
+PLUMB_PAIR_ANSWERS_TO(Aabb3, relate_to_aabb, Line3, Ray3, Segment3, Triangle3)
 
 }  // namespace query
 

@@ -30,22 +30,10 @@ Relation relate_ball_and_cap(const Sphere3& ball, const SphericalCap3& cap, Ques
 
 }  // namespace
 
-PLUMB_PAIR_ANSWER(Point3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Line3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Ray3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Segment3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Plane3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Halfspace3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Triangle3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Rectangle3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Tetrahedron3, SphericalCap3, relate_cap)
+PLUMB_PAIR_ANSWERS_TO(SphericalCap3, relate_cap, Point3, Line3, Ray3, Segment3, Plane3, ThreePointPlane3, Halfspace3,
+                      Triangle3, Rectangle3, Tetrahedron3, Aabb3, Obb3, KDop3, HalfspaceIntersection3,
+                      ConvexPolyhedron3)
 PLUMB_PAIR_ANSWER(Sphere3, SphericalCap3, relate_ball_and_cap)
-PLUMB_PAIR_ANSWER(Aabb3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(Obb3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(KDop3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(HalfspaceIntersection3, SphericalCap3, relate_cap)
-PLUMB_PAIR_ANSWER(ConvexPolyhedron3, SphericalCap3, relate_cap)
 
 }  // namespace query
 }  // namespace plumb

@@ -31,10 +31,7 @@ Relation relate_obb(const Shape& a, const Obb3& b, Question question) {
 }
 
 }  // namespace
-PLUMB_PAIR_ANSWER(Line3, Obb3, relate_obb)
-PLUMB_PAIR_ANSWER(Ray3, Obb3, relate_obb)
-PLUMB_PAIR_ANSWER(Segment3, Obb3, relate_obb)
-PLUMB_PAIR_ANSWER(Triangle3, Obb3, relate_obb)
+PLUMB_PAIR_ANSWERS_TO(Obb3, relate_obb, Line3, Ray3, Segment3, Triangle3)
 
 Relation relate_pair(PairFunction<Aabb3, Obb3>, const Aabb3& a, const Obb3& b, Question question) {
   assert_sound_thread();

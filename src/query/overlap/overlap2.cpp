@@ -37,20 +37,11 @@ Relation relate_to_aabb2(const A& a, const Aabb2& b, query::Question question) {
 
 namespace query {
 
-PLUMB_PAIR_ANSWER(Line2, Line2, relate_given2)
-PLUMB_PAIR_ANSWER(Line2, Ray2, relate_given2)
-PLUMB_PAIR_ANSWER(Line2, Segment2, relate_given2)
-PLUMB_PAIR_ANSWER(Line2, Triangle2, relate_given2)
-PLUMB_PAIR_ANSWER(Line2, Aabb2, relate_given2)
-PLUMB_PAIR_ANSWER(Ray2, Ray2, relate_given2)
-PLUMB_PAIR_ANSWER(Ray2, Segment2, relate_given2)
-PLUMB_PAIR_ANSWER(Ray2, Triangle2, relate_given2)
-PLUMB_PAIR_ANSWER(Ray2, Aabb2, relate_given2)
-PLUMB_PAIR_ANSWER(Segment2, Segment2, relate_quickly2)
-PLUMB_PAIR_ANSWER(Segment2, Triangle2, relate_quickly2)
-PLUMB_PAIR_ANSWER(Segment2, Aabb2, relate_to_aabb2)
+PLUMB_PAIR_ANSWERS_OF(Line2, relate_given2, Line2, Ray2, Segment2, Triangle2, Aabb2)
+PLUMB_PAIR_ANSWERS_OF(Ray2, relate_given2, Ray2, Segment2, Triangle2, Aabb2)
+PLUMB_PAIR_ANSWERS_OF(Segment2, relate_quickly2, Segment2, Triangle2)
+PLUMB_PAIR_ANSWERS_TO(Aabb2, relate_to_aabb2, Segment2, Triangle2)
 PLUMB_PAIR_ANSWER(Triangle2, Triangle2, relate_quickly2)
-PLUMB_PAIR_ANSWER(Triangle2, Aabb2, relate_to_aabb2)
 
 }  // namespace query
 

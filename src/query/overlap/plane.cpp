@@ -170,8 +170,7 @@ template <class B>
 }
 
 }  // namespace
-PLUMB_PAIR_ANSWER(Point3, Plane3, relate_to_plane)
-PLUMB_PAIR_ANSWER(Segment3, Plane3, relate_to_plane)
+PLUMB_PAIR_ANSWERS_TO(Plane3, relate_to_plane, Point3, Segment3)
 Relation relate_pair(PairFunction<Plane3, Triangle3>, const Plane3& a, const Triangle3& b, Question question) {
   assert_sound_thread();
   const auto [p, q] = quick_sides(a, TwoDoubles{b.a.x, b.b.x}, TwoDoubles{b.a.y, b.b.y}, TwoDoubles{b.a.z, b.b.z});
@@ -193,20 +192,10 @@ Relation relate_pair(PairFunction<Plane3, Aabb3>, const Plane3& a, const Aabb3& 
   return static_cast<Relation>(-are_alike);
 }
 PLUMB_PAIR_ANSWER(Plane3, Obb3, relate_to_plane)
-
-PLUMB_PAIR_ANSWER(Point3, ThreePointPlane3, relate_to_plane)
-PLUMB_PAIR_ANSWER(Segment3, ThreePointPlane3, relate_to_plane)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Triangle3, relate_to_plane)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Tetrahedron3, relate_to_plane)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Aabb3, relate_to_plane)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Obb3, relate_to_plane)
-
-PLUMB_PAIR_ANSWER(Point3, Halfspace3, relate_to_plane)
-PLUMB_PAIR_ANSWER(Segment3, Halfspace3, relate_to_plane)
-PLUMB_PAIR_ANSWER(Halfspace3, Triangle3, relate_to_plane)
-PLUMB_PAIR_ANSWER(Halfspace3, Tetrahedron3, relate_to_plane)
-PLUMB_PAIR_ANSWER(Halfspace3, Aabb3, relate_to_plane)
-PLUMB_PAIR_ANSWER(Halfspace3, Obb3, relate_to_plane)
+PLUMB_PAIR_ANSWERS_TO(ThreePointPlane3, relate_to_plane, Point3, Segment3)
+PLUMB_PAIR_ANSWERS_OF(ThreePointPlane3, relate_to_plane, Triangle3, Tetrahedron3, Aabb3, Obb3)
+PLUMB_PAIR_ANSWERS_TO(Halfspace3, relate_to_plane, Point3, Segment3)
+PLUMB_PAIR_ANSWERS_OF(Halfspace3, relate_to_plane, Triangle3, Tetrahedron3, Aabb3, Obb3)
 
 }  // namespace query
 }  // namespace plumb

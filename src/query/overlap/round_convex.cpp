@@ -45,33 +45,13 @@ Relation relate_round(const A& a, const B& b, Question question) {
 }
 
 }  // namespace
-PLUMB_PAIR_ANSWER(Triangle3, Sphere3, relate_round)
-PLUMB_PAIR_ANSWER(Rectangle3, Sphere3, relate_round)
-PLUMB_PAIR_ANSWER(Tetrahedron3, Sphere3, relate_round)
+PLUMB_PAIR_ANSWERS_TO(Sphere3, relate_round, Triangle3, Rectangle3, Tetrahedron3)
 PLUMB_PAIR_ANSWER(Sphere3, Obb3, relate_round)
-PLUMB_PAIR_ANSWER(Sphere3, ConvexPolyhedron3, relate_round)
-
-PLUMB_PAIR_ANSWER(Point3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Segment3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Triangle3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Rectangle3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Tetrahedron3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Aabb3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Obb3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Capsule3, ConvexPolyhedron3, relate_round)
-
-PLUMB_PAIR_ANSWER(Point3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Segment3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Triangle3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Rectangle3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Tetrahedron3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Aabb3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Obb3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Lozenge3, ConvexPolyhedron3, relate_round)
-
-PLUMB_PAIR_ANSWER(Sphere3, Capsule3, relate_round)
-PLUMB_PAIR_ANSWER(Sphere3, Lozenge3, relate_round)
-PLUMB_PAIR_ANSWER(Capsule3, Lozenge3, relate_round)
+PLUMB_PAIR_ANSWERS_TO(ConvexPolyhedron3, relate_round, Sphere3, Capsule3, Lozenge3)
+PLUMB_PAIR_ANSWERS_TO(Capsule3, relate_round, Point3, Segment3, Triangle3, Rectangle3, Tetrahedron3, Aabb3, Obb3,
+                      Sphere3)
+PLUMB_PAIR_ANSWERS_TO(Lozenge3, relate_round, Point3, Segment3, Triangle3, Rectangle3, Tetrahedron3, Aabb3, Obb3,
+                      Sphere3, Capsule3)
 
 }  // namespace query
 }  // namespace plumb

@@ -181,12 +181,8 @@ Relation relate_halfspaces(const Round& a, const Set& b, Question question) {
 
 }  // namespace
 
-PLUMB_PAIR_ANSWER(Sphere3, KDop3, relate_halfspaces)
-PLUMB_PAIR_ANSWER(Sphere3, HalfspaceIntersection3, relate_halfspaces)
-PLUMB_PAIR_ANSWER(Capsule3, KDop3, relate_halfspaces)
-PLUMB_PAIR_ANSWER(Capsule3, HalfspaceIntersection3, relate_halfspaces)
-PLUMB_PAIR_ANSWER(Lozenge3, KDop3, relate_halfspaces)
-PLUMB_PAIR_ANSWER(Lozenge3, HalfspaceIntersection3, relate_halfspaces)
+PLUMB_PAIR_ANSWERS_TO(KDop3, relate_halfspaces, Sphere3, Capsule3, Lozenge3)
+PLUMB_PAIR_ANSWERS_TO(HalfspaceIntersection3, relate_halfspaces, Sphere3, Capsule3, Lozenge3)
 
 }  // namespace query
 }  // namespace plumb

@@ -122,10 +122,8 @@ Relation relate_line_round(const Line& line, const Round& round, Question questi
 
 }  // namespace
 
-PLUMB_PAIR_ANSWER(Line3, Capsule3, relate_line_round)
-PLUMB_PAIR_ANSWER(Line3, Lozenge3, relate_line_round)
-PLUMB_PAIR_ANSWER(Ray3, Capsule3, relate_line_round)
-PLUMB_PAIR_ANSWER(Ray3, Lozenge3, relate_line_round)
+PLUMB_PAIR_ANSWERS_TO(Capsule3, relate_line_round, Line3, Ray3)
+PLUMB_PAIR_ANSWERS_TO(Lozenge3, relate_line_round, Line3, Ray3)
 
 }  // namespace query
 }  // namespace plumb

@@ -19,19 +19,13 @@ namespace {
 template <class T>
 using Vec = arith::Vec<T>;
 
-template <class T>
-std::vector<Vec<T>> core_points(const Sphere3& ball) {
-  return {arith::vec<T>(ball.center)};
-}
-template <class T>
-std::vector<Vec<T>> core_points(const Capsule3& c) {
-  return {arith::vec<T>(c.a), arith::vec<T>(c.b)};
-}
-/// Around the parallelogram: each is joined to the next, the last to the first.
-template <class T>
-std::vector<Vec<T>> core_points(const Lozenge3& l) {
-  const Vec<T> p = arith::vec<T>(l.corner), u = arith::vec<T>(l.edges[0]), v = arith::vec<T>(l.edges[1]);
-  return {p, p + u, p + u + v, p + v};
+/// Around a parallelogram: each is joined to the next, the last to the first.
+template <class T, class Round>
+std::vector<Vec<T>> core_points(const Round& round) {
+  std::vector<Vec<T>> points;
+  for_each_corner<T>(round, [&](const Vec<T>& p) { points.push_back(p); });
+  if (points.size() == 4) std::swap(points[2], points[3]);
+  return points;
 }
 
 /// The inside of the region of edges in the plane of three points, against what is near to some points and to the
@@ -165,15 +159,9 @@ Relation relate_round_polygon(const Polygon& a, const Round& b, Question questio
 
 }  // namespace
 
-PLUMB_PAIR_ANSWER(Quadrilateral3, Sphere3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(Quadrilateral3, Capsule3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(Polygon3, Sphere3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(Polygon3, Capsule3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(HoledPolygon3, Sphere3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(HoledPolygon3, Capsule3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(Quadrilateral3, Lozenge3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(Polygon3, Lozenge3, relate_round_polygon)
-PLUMB_PAIR_ANSWER(HoledPolygon3, Lozenge3, relate_round_polygon)
+PLUMB_PAIR_ANSWERS_TO(Sphere3, relate_round_polygon, Quadrilateral3, Polygon3, HoledPolygon3)
+PLUMB_PAIR_ANSWERS_TO(Capsule3, relate_round_polygon, Quadrilateral3, Polygon3, HoledPolygon3)
+PLUMB_PAIR_ANSWERS_TO(Lozenge3, relate_round_polygon, Quadrilateral3, Polygon3, HoledPolygon3)
 
 }  // namespace query
 }  // namespace plumb

@@ -67,9 +67,7 @@ Relation relate_straight_and_ball(const Straight& straight, const Sphere3& ball,
 }  // namespace
 
 PLUMB_PAIR_ANSWER(Point3, Sphere3, relate_nearest)
-PLUMB_PAIR_ANSWER(Line3, Sphere3, relate_straight_and_ball)
-PLUMB_PAIR_ANSWER(Ray3, Sphere3, relate_straight_and_ball)
-PLUMB_PAIR_ANSWER(Segment3, Sphere3, relate_straight_and_ball)
+PLUMB_PAIR_ANSWERS_TO(Sphere3, relate_straight_and_ball, Line3, Ray3, Segment3)
 Relation relate_pair(PairFunction<Sphere3, Aabb3>, const Sphere3& a, const Aabb3& b, Question question) {
   return relate_nearest(b, a, question);
 }

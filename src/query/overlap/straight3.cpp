@@ -33,16 +33,9 @@ Relation relate_given3(const A& a, const B& b, query::Question question) {
 
 namespace query {
 
-PLUMB_PAIR_ANSWER(Line3, Triangle3, relate_given3)
-PLUMB_PAIR_ANSWER(Ray3, Triangle3, relate_given3)
-PLUMB_PAIR_ANSWER(Segment3, Triangle3, relate_given3)
-
-PLUMB_PAIR_ANSWER(Line3, Line3, relate_given3)
-PLUMB_PAIR_ANSWER(Line3, Ray3, relate_given3)
-PLUMB_PAIR_ANSWER(Line3, Segment3, relate_given3)
-PLUMB_PAIR_ANSWER(Ray3, Ray3, relate_given3)
-PLUMB_PAIR_ANSWER(Ray3, Segment3, relate_given3)
-PLUMB_PAIR_ANSWER(Segment3, Segment3, relate_given3)
+PLUMB_PAIR_ANSWERS_OF(Line3, relate_given3, Triangle3, Line3, Ray3, Segment3)
+PLUMB_PAIR_ANSWERS_OF(Ray3, relate_given3, Triangle3, Ray3, Segment3)
+PLUMB_PAIR_ANSWERS_OF(Segment3, relate_given3, Triangle3, Segment3)
 
 }  // namespace query
 

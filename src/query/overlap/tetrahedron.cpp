@@ -207,9 +207,7 @@ Relation relate_to_tetrahedron(const A& a, const B& b, Question question) {
 
 }  // namespace
 
-PLUMB_PAIR_ANSWER(Segment3, Tetrahedron3, relate_to_tetrahedron)
-PLUMB_PAIR_ANSWER(Triangle3, Tetrahedron3, relate_to_tetrahedron)
-PLUMB_PAIR_ANSWER(Tetrahedron3, Tetrahedron3, relate_to_tetrahedron)
+PLUMB_PAIR_ANSWERS_TO(Tetrahedron3, relate_to_tetrahedron, Segment3, Triangle3, Tetrahedron3)
 
 }  // namespace query
 }  // namespace plumb
