@@ -22,7 +22,7 @@ void* allocate_as_c(std::size_t bytes, std::size_t alignment, void*) {
 }
 void release_as_c(void* block, std::size_t, std::size_t, void*) { std::free(block); }
 
-/// Who was once set, kept for good: blocks refer to it.
+/// An allocator that was set once is kept for good: blocks refer to it.
 struct Giver {
   plumb_allocator by;
   Giver* before;
@@ -36,7 +36,7 @@ struct alignas(std::max_align_t) Head {
   std::size_t bytes;
 };
 std::size_t alignment_of_whole(std::size_t alignment) { return std::max(alignment, alignof(Head)); }
-/// Of a whole that is aligned so, what lies before the block.
+/// So many bytes lie before the block in what an allocator has given.
 std::size_t bytes_before(std::size_t alignment) { return std::max(alignment, sizeof(Head)); }
 
 void* give(std::size_t bytes, std::size_t alignment) {

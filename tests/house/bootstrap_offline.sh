@@ -36,6 +36,7 @@ expect 2 "'tset' is neither" tset
 # A machine that is no Debian.
 expect 1 "no apt-get" demo
 expect 1 "libcli11-dev" demo
+expect 1 "g++-aarch64-linux-gnu" arm64
 
 # A Debian that lacks two packages, without apt-get; then one where apt-get knows no such package.
 stand_in dpkg-query 'case "$*" in *libpng-dev | *g++) echo not-installed; exit 1 ;; *) echo installed ;; esac'

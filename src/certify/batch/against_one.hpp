@@ -55,7 +55,7 @@ struct AgainstOne {
 
  private:
   template <std::size_t... I>
-  static HWY_INLINE void run(Magnified* number, std::index_sequence<I...>) {
+  static HWY_INLINE void run([[maybe_unused]] Magnified* number, std::index_sequence<I...>) {
     (instruction<I>(number), ...);
   }
 
