@@ -1,5 +1,5 @@
 // Are answers the same bits by every set of instructions, on any number of threads, and by every compiler?  `plumb
-// doctor --digest`: the hashes stand in src/tool/doctor/digest.cpp, and every build is held against them.
+// doctor --digest`: the hashes stand in src/tool/doctor/expected_digest.cpp, and every build is held against them.
 #include "tool/doctor/digest.hpp"
 
 #include <gmock/gmock.h>
