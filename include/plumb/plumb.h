@@ -88,7 +88,8 @@ size_t plumb_find_sign(const char* name);
 
 /* The sign, -1, 0 or 1, for numbers that stand argument after argument. */
 plumb_status plumb_sign(size_t which, const double* numbers, int* sign);
-/* Many cases, on all threads: number k of case i is columns[k][i * strides[k]]; strides may be NULL for all 1. */
+/* Many cases, on all threads: number k of case i is columns[k][i * strides[k]]; strides may be NULL for all 1, by which
+ * orient2d, orient3d, incircle and insphere go in lanes. */
 plumb_status plumb_signs(size_t which, const double* const* columns, const ptrdiff_t* strides, size_t count,
                          int8_t* signs);
 

@@ -6,6 +6,7 @@
 #include "c/guarded.hpp"
 #include "certify/batch/all_threads.hpp"
 #include "certify/catalog.hpp"
+#include "plumb/certify/batch.hpp"
 
 using namespace plumb;
 using c::guarded, c::need;
@@ -16,6 +17,31 @@ const CatalogEntry& entry_of(std::size_t which) {
   if (which < catalog().size()) return catalog()[which];
   throw c::InvalidArgument("which is " + std::to_string(which) + ", but there are " + std::to_string(catalog().size()) +
                            " predicates");
+}
+
+/// The four classics have batches in lanes, of columns without gaps; is this one of them, and all its numbers finite?
+bool decided_in_lanes(std::string_view name, const double* const* columns, std::span<Sign> out) {
+  const auto flat = [&](std::size_t p) {
+    return Points2View{{columns[2 * p], out.size()}, {columns[2 * p + 1], out.size()}};
+  };
+  const auto solid = [&](std::size_t p) {
+    const double* const* at = columns + 3 * p;
+    return Points3View{{at[0], out.size()}, {at[1], out.size()}, {at[2], out.size()}};
+  };
+  constexpr auto by = Execution::parallel;
+  try {
+    if (name == "orient2d") return orient2d(flat(0), flat(1), flat(2), out, by), true;
+    if (name == "orient3d") return orient3d(solid(0), solid(1), solid(2), solid(3), out, by), true;
+    if (name == "incircle") return incircle(flat(0), flat(1), flat(2), flat(3), out, by), true;
+    if (name == "insphere") return insphere(solid(0), solid(1), solid(2), solid(3), solid(4), out, by), true;
+    return false;
+  } catch (const NonFinite&) {  // told by the case, one after the other
+    return false;
+  }
+}
+
+bool are_without_gaps(const std::ptrdiff_t* strides, std::size_t count) {
+  return strides == nullptr || std::all_of(strides, strides + count, [](std::ptrdiff_t s) { return s == 1; });
 }
 
 }  // namespace
@@ -52,6 +78,13 @@ plumb_status plumb_signs(std::size_t which, const double* const* columns, const 
     need(columns, "columns");
     need(signs, count, "signs");
     for (std::size_t k = 0; k < entry.arity(); ++k) need(columns[k], count, "a column");
+    if (are_without_gaps(strides, entry.arity())) {
+      std::vector<Sign> found(count);
+      if (decided_in_lanes(entry.name, columns, found)) {
+        std::ranges::transform(found, signs, [](Sign s) { return static_cast<std::int8_t>(s); });
+        return;
+      }
+    }
     constexpr std::size_t part = 1024;
     std::vector<std::int8_t> answers(count);
     std::mutex guard;

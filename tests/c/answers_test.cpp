@@ -192,6 +192,19 @@ TEST(CInterface, HasEveryPredicate) {
       EXPECT_EQ(sign, expected) << entry.name << " case " << c;
       EXPECT_EQ(signs[c], expected) << entry.name << " case " << c;
     }
+    std::vector<std::vector<double>> apart(entry.arity());
+    std::vector<const double*> without_gaps;
+    for (std::size_t k = 0; k < apart.size(); ++k) {
+      for (std::size_t c = 0; c < cases; ++c) apart[k].push_back(rows[c * entry.arity() + k]);
+      without_gaps.push_back(apart[k].data());
+    }
+    std::vector<std::int8_t> same(cases, 7);
+    ASSERT_EQ(plumb_signs(i, without_gaps.data(), nullptr, cases, same.data()), PLUMB_OK) << plumb_last_error();
+    EXPECT_EQ(same, signs) << entry.name;
+    apart[0][7] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(plumb_signs(i, without_gaps.data(), nullptr, cases, same.data()), PLUMB_NON_FINITE);
+    EXPECT_NE(std::string(plumb_last_error()).find("case 7"), std::string::npos) << plumb_last_error();
+    EXPECT_EQ(same, signs) << entry.name;
     rows[7 * entry.arity()] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(plumb_signs(i, columns.data(), strides.data(), cases, signs.data()), PLUMB_NON_FINITE);
     EXPECT_NE(std::string(plumb_last_error()).find("case 7"), std::string::npos) << plumb_last_error();
