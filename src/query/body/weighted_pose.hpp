@@ -13,8 +13,11 @@
 #include <limits>
 #include <span>
 
+#include "arith/running_error.hpp"
 #include "figure/basic/pose_numbers.hpp"
 #include "plumb/arith/big.hpp"
+#include "plumb/arith/short_dyadic.hpp"
+#include "plumb/arith/stack_dyadic.hpp"
 #include "plumb/query/body/posed.hpp"
 #include "query/body/vectors.hpp"
 
@@ -84,6 +87,20 @@ WeightedPose<T> weighted_links(std::span<const Rigid> links) {
   }
   return all;
 }
+
+// Their text is long, and the same wherever poses become numbers of these types: weighted_pose.cpp has it.
+#define PLUMB_LINKS(how, T)                                                   \
+  how template WeightedPose<T> weighted_links<T>(std::span<const RigidPose>); \
+  how template WeightedPose<T> weighted_links<T>(std::span<const RigidPose2>);
+#define PLUMB_ALL_LINKS(how)    \
+  PLUMB_LINKS(how, double)      \
+  PLUMB_LINKS(how, Approximate) \
+  PLUMB_LINKS(how, Ball)        \
+  PLUMB_LINKS(how, Running)     \
+  PLUMB_LINKS(how, ShortDyadic) \
+  PLUMB_LINKS(how, StackDyadic) \
+  PLUMB_LINKS(how, BigDyadic)
+PLUMB_ALL_LINKS(extern)
 
 template <class T>
 WeightedPose<T> weighted_pose(const AnyPoseView& pose) {

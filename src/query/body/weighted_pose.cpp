@@ -1,0 +1,7 @@
+#include "query/body/weighted_pose.hpp"
+
+namespace plumb::query {
+
+PLUMB_ALL_LINKS()
+
+}  // namespace plumb::query
