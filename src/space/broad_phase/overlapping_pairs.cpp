@@ -130,68 +130,26 @@ std::string_view name_of(BroadPhaseMethod method) {
   return number < names.size() ? names[number] : "of no name";
 }
 
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> boxes, const BroadPhaseOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return space::collect(boxes, {}, false, options, std::move(rows));
-}
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b,
-                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
-  return space::collect(a, b, true, options, std::move(rows));
-}
-void overlapping_pairs(std::span<const Aabb2> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
-  space::tell_sink(boxes, {}, false, to, options);
-}
-void overlapping_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b, const BoxPairSink& to,
-                       const BroadPhaseOptions& options) {
-  space::tell_sink(a, b, true, to, options);
-}
-
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> boxes, const BroadPhaseOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return space::collect(boxes, {}, false, options, std::move(rows));
-}
-std::vector<BoxPair> overlapping_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b,
-                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
-  return space::collect(a, b, true, options, std::move(rows));
-}
-void overlapping_pairs(std::span<const Aabb3> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
-  space::tell_sink(boxes, {}, false, to, options);
-}
-void overlapping_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b, const BoxPairSink& to,
-                       const BroadPhaseOptions& options) {
-  space::tell_sink(a, b, true, to, options);
-}
-
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> boxes, const BroadPhaseOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return space::collect(boxes, {}, false, options, std::move(rows));
-}
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> b,
-                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
-  return space::collect(a, b, true, options, std::move(rows));
-}
-void overlapping_pairs(std::span<const FloatBox2> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
-  space::tell_sink(boxes, {}, false, to, options);
-}
-void overlapping_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> b, const BoxPairSink& to,
-                       const BroadPhaseOptions& options) {
-  space::tell_sink(a, b, true, to, options);
-}
-
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> boxes, const BroadPhaseOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return space::collect(boxes, {}, false, options, std::move(rows));
-}
-std::vector<BoxPair> overlapping_pairs(std::span<const FloatBox3> a, std::span<const FloatBox3> b,
-                                       const BroadPhaseOptions& options, std::vector<BoxPair> rows) {
-  return space::collect(a, b, true, options, std::move(rows));
-}
-void overlapping_pairs(std::span<const FloatBox3> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) {
-  space::tell_sink(boxes, {}, false, to, options);
-}
-void overlapping_pairs(std::span<const FloatBox3> a, std::span<const FloatBox3> b, const BoxPairSink& to,
-                       const BroadPhaseOptions& options) {
-  space::tell_sink(a, b, true, to, options);
-}
+#define PLUMB_PAIRS_OF(Box)                                                                                     \
+  std::vector<BoxPair> overlapping_pairs(std::span<const Box> boxes, const BroadPhaseOptions& options,          \
+                                         std::vector<BoxPair> rows) {                                           \
+    return space::collect(boxes, {}, false, options, std::move(rows));                                          \
+  }                                                                                                             \
+  std::vector<BoxPair> overlapping_pairs(std::span<const Box> a, std::span<const Box> b,                        \
+                                         const BroadPhaseOptions& options, std::vector<BoxPair> rows) {         \
+    return space::collect(a, b, true, options, std::move(rows));                                                \
+  }                                                                                                             \
+  void overlapping_pairs(std::span<const Box> boxes, const BoxPairSink& to, const BroadPhaseOptions& options) { \
+    space::tell_sink(boxes, {}, false, to, options);                                                            \
+  }                                                                                                             \
+  void overlapping_pairs(std::span<const Box> a, std::span<const Box> b, const BoxPairSink& to,                 \
+                         const BroadPhaseOptions& options) {                                                    \
+    space::tell_sink(a, b, true, to, options);                                                                  \
+  }
+PLUMB_PAIRS_OF(Aabb2)
+PLUMB_PAIRS_OF(Aabb3)
+PLUMB_PAIRS_OF(FloatBox2)
+PLUMB_PAIRS_OF(FloatBox3)
+#undef PLUMB_PAIRS_OF
 
 }  // namespace plumb

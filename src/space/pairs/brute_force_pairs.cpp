@@ -46,38 +46,19 @@ std::vector<BoxPair> pairs_of_two(std::span<const Box> of_a, std::span<const Box
 
 }  // namespace
 
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> boxes, const BoxPairOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return pairs_of_one(boxes, options, std::move(rows));
-}
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> boxes, const BoxPairOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return pairs_of_one(boxes, options, std::move(rows));
-}
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> boxes, const BoxPairOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return pairs_of_one(boxes, options, std::move(rows));
-}
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> boxes, const BoxPairOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return pairs_of_one(boxes, options, std::move(rows));
-}
-
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb2> a, std::span<const Aabb2> b,
-                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
-  return pairs_of_two(a, b, options, std::move(rows));
-}
-std::vector<BoxPair> brute_force_pairs(std::span<const Aabb3> a, std::span<const Aabb3> b,
-                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
-  return pairs_of_two(a, b, options, std::move(rows));
-}
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox2> a, std::span<const FloatBox2> b,
-                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
-  return pairs_of_two(a, b, options, std::move(rows));
-}
-std::vector<BoxPair> brute_force_pairs(std::span<const FloatBox3> a, std::span<const FloatBox3> b,
-                                       const BoxPairOptions& options, std::vector<BoxPair> rows) {
-  return pairs_of_two(a, b, options, std::move(rows));
-}
+#define PLUMB_PAIRS_BY_BRUTE_FORCE(Box)                                                              \
+  std::vector<BoxPair> brute_force_pairs(std::span<const Box> boxes, const BoxPairOptions& options,  \
+                                         std::vector<BoxPair> rows) {                                \
+    return pairs_of_one(boxes, options, std::move(rows));                                            \
+  }                                                                                                  \
+  std::vector<BoxPair> brute_force_pairs(std::span<const Box> a, std::span<const Box> b,             \
+                                         const BoxPairOptions& options, std::vector<BoxPair> rows) { \
+    return pairs_of_two(a, b, options, std::move(rows));                                             \
+  }
+PLUMB_PAIRS_BY_BRUTE_FORCE(Aabb2)
+PLUMB_PAIRS_BY_BRUTE_FORCE(Aabb3)
+PLUMB_PAIRS_BY_BRUTE_FORCE(FloatBox2)
+PLUMB_PAIRS_BY_BRUTE_FORCE(FloatBox3)
+#undef PLUMB_PAIRS_BY_BRUTE_FORCE
 
 }  // namespace plumb

@@ -41,26 +41,16 @@ SweepAxis axis_of(std::span<const Box> boxes) {
 
 }  // namespace
 
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb2> boxes, const SortAndSweepOptions& options,
-                                          std::vector<BoxPair> rows) {
-  return swept_pairs(boxes, options, std::move(rows));
-}
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Aabb3> boxes, const SortAndSweepOptions& options,
-                                          std::vector<BoxPair> rows) {
-  return swept_pairs(boxes, options, std::move(rows));
-}
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox2> boxes, const SortAndSweepOptions& options,
-                                          std::vector<BoxPair> rows) {
-  return swept_pairs(boxes, options, std::move(rows));
-}
-std::vector<BoxPair> sort_and_sweep_pairs(std::span<const FloatBox3> boxes, const SortAndSweepOptions& options,
-                                          std::vector<BoxPair> rows) {
-  return swept_pairs(boxes, options, std::move(rows));
-}
-
-SweepAxis axis_of_greatest_variance(std::span<const Aabb2> boxes) { return axis_of(boxes); }
-SweepAxis axis_of_greatest_variance(std::span<const Aabb3> boxes) { return axis_of(boxes); }
-SweepAxis axis_of_greatest_variance(std::span<const FloatBox2> boxes) { return axis_of(boxes); }
-SweepAxis axis_of_greatest_variance(std::span<const FloatBox3> boxes) { return axis_of(boxes); }
+#define PLUMB_SORT_AND_SWEEP(Box)                                                                           \
+  std::vector<BoxPair> sort_and_sweep_pairs(std::span<const Box> boxes, const SortAndSweepOptions& options, \
+                                            std::vector<BoxPair> rows) {                                    \
+    return swept_pairs(boxes, options, std::move(rows));                                                    \
+  }                                                                                                         \
+  SweepAxis axis_of_greatest_variance(std::span<const Box> boxes) { return axis_of(boxes); }
+PLUMB_SORT_AND_SWEEP(Aabb2)
+PLUMB_SORT_AND_SWEEP(Aabb3)
+PLUMB_SORT_AND_SWEEP(FloatBox2)
+PLUMB_SORT_AND_SWEEP(FloatBox3)
+#undef PLUMB_SORT_AND_SWEEP
 
 }  // namespace plumb
