@@ -81,7 +81,7 @@ IdPairs all_pairs(const Boxes& boxes, bool touching = true) {
   return pairs;
 }
 
-/// An index whose handles are numbers.
+/// An index that is asked as it is.
 template <class Index>
 class Indexed {
  public:
@@ -90,7 +90,7 @@ class Indexed {
   void insert(Id id, const Aabb3& box) {
     const std::size_t before = index_.size();
     try {
-      const std::uint32_t handle = index_.insert(box);
+      const BoxHandle handle = index_.insert(box);
       expect(ids_.emplace(handle, id).second, name_, "a handle is given twice");
       handles_[id] = handle;
       boxes_[id] = box;
@@ -111,7 +111,7 @@ class Indexed {
   void remove(Id id) {
     const auto at = handles_.find(id);
     if (at == handles_.end()) return;
-    const std::uint32_t handle = at->second;
+    const BoxHandle handle = at->second;
     index_.remove(handle);
     ids_.erase(handle);
     handles_.erase(at);
@@ -126,7 +126,7 @@ class Indexed {
   template <class Ask>
   void check_pairs(const Ask& ask, bool touching = true) const {
     IdPairs pairs;
-    for (const BoxPair& p : ask(index_)) {
+    for (const HandlePair& p : ask(index_)) {
       expect(p.a < p.b && ids_.contains(p.a) && ids_.contains(p.b), name_, "a pair is none of handles");
       const Id a = ids_.at(p.a), b = ids_.at(p.b);
       pairs.push_back({std::min(a, b), std::max(a, b)});
@@ -138,7 +138,7 @@ class Indexed {
   void check_in_box(const Aabb3& box) const {
     for (const bool touching : {true, false}) {
       std::set<Id> found, expected;
-      for (const std::uint32_t handle : index_.in_box(box, {.touching = touching}))
+      for (const BoxHandle& handle : index_.in_box(box, {.touching = touching}))
         expect(ids_.contains(handle) && found.insert(ids_.at(handle)).second, name_, "a box is found twice");
       for (const auto& [id, b] : boxes_) {
         if (count_as_pair(b, box, touching)) expected.insert(id);
@@ -150,8 +150,8 @@ class Indexed {
  private:
   const char* name_;
   Index index_;
-  std::map<std::uint32_t, Id> ids_;
-  std::map<Id, std::uint32_t> handles_;
+  std::map<BoxHandle, Id> ids_;
+  std::map<Id, BoxHandle> handles_;
   Boxes boxes_;
 };
 
@@ -257,16 +257,17 @@ void check_from_scratch(const Boxes& held, const Aabb3& box, BroadPhaseMethod me
 void run(Entropy& e) {
   constexpr std::size_t most_boxes = 24, most_steps = 80;
   const auto scale = static_cast<Scale>(e.below(4));
-  const GridOptions little{.cell_size = {}, .most_memory = 1U << 20};
+  constexpr std::size_t little = 1U << 20;
   Moving moving;
   Indexed hierarchical("HierarchicalGrid", HierarchicalGrid3());
   Indexed rows("RowColumnGrid", RowColumnGrid3({.rows = 64}));
-  Indexed hashed("HashedGrid", HashedGrid3(1, little));
-  Indexed linked("LinkedGrid", LinkedGrid3(Aabb3{{-2, -2, -2}, {2, 2, 2}}, 0.5, little));
-  Indexed implicit("ImplicitGrid", ImplicitGrid3(1, {.rows = 64}));
+  Indexed hashed("HashedGrid", HashedGrid3({.cell_size = 1, .most_memory = little}));
+  Indexed linked("LinkedGrid",
+                 LinkedGrid3({.world = {{-2, -2, -2}, {2, 2, 2}}, .cell_size = 0.5, .most_memory = little}));
+  Indexed implicit("ImplicitGrid", ImplicitGrid3({.cell_size = 1, .rows = 64}));
   Indexed lists("SweepLists", SweepLists());
-  Indexed list("SweepLists of one axis", SweepLists({.axes = 1, .first_axis = SweepAxis::y}));
-  Indexed loose("LooseOctree", LooseOctree(Aabb3{{-4, -4, -4}, {4, 4, 4}}));
+  Indexed list("SweepLists of one axis", SweepLists({.lists = 1, .first_axis = SweepAxis::y}));
+  Indexed loose("LooseOctree", LooseOctree({.world = {{-4, -4, -4}, {4, 4, 4}}}));
   const auto each = [&](const auto& act) {
     act(hierarchical), act(rows), act(hashed), act(linked), act(implicit), act(lists), act(list), act(loose);
   };

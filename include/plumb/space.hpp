@@ -64,14 +64,14 @@
 #include "plumb/space/sort_and_sweep/index_verbs.hpp"     // the same words for all of them
 #include "plumb/space/sort_and_sweep/sort_and_sweep.hpp"  // along one axis, from scratch
 #include "plumb/space/sort_and_sweep/sweep_array.hpp"     // with an order that is kept
-#include "plumb/space/sort_and_sweep/sweep_lists.hpp"     // by linked lists
+#include "plumb/space/textbook/box_store.hpp"             // by grids, loose octrees and sorted lists
+#include "plumb/space/textbook/hybrid_index.hpp"          // by grids of trees, trees of grids
 
 // Which cells of a cube are things in, and a ray?  build_octree, build_quadtree, locate, cells_along
 #include "plumb/space/octree/box_octree.hpp"    // boxes: in the smallest cell that holds them, or in all leaves
 #include "plumb/space/octree/cell_frame.hpp"    // borders that are doubles
 #include "plumb/space/octree/cell_tree.hpp"     // cells and their codes
 #include "plumb/space/octree/cell_walk.hpp"     // what a ray goes through
-#include "plumb/space/octree/loose_octree.hpp"  // boxes that come, go and move
 #include "plumb/space/octree/point_octree.hpp"  // points
 
 // Which rooms are there, what is seen through their doors?  PortalCells, seen_from, potentially_visible, passage
@@ -99,12 +99,10 @@
 #include "plumb/space/range/volume_range.hpp"  // by a tree of other volumes, and in any figure
 
 // Which points are nearest, which in a ball or a box?  build_kd_tree, nearest, within, in_box; which boxes, segments or
-// triangles?  build_figure_tree; which meet, and which does a ray hit first?  build_split_tree; by grids as well:
-// build_grid_of_trees, build_tree_of_grids
+// triangles?  build_figure_tree; which meet, and which does a ray hit first?  build_split_tree
 #include "plumb/space/kd_tree/cells_along.hpp"     // the cells that a ray visits
 #include "plumb/space/kd_tree/figure_range.hpp"    // figures, in ascending order
 #include "plumb/space/kd_tree/figure_tree.hpp"     // a box tree of figures
-#include "plumb/space/kd_tree/hybrid_index.hpp"    // boxes, by grids of trees and trees of grids
 #include "plumb/space/kd_tree/kd_tree.hpp"         // a compact k-d tree of points
 #include "plumb/space/kd_tree/nearest_figure.hpp"  // figures, exactly, with ties
 #include "plumb/space/kd_tree/nearest_point.hpp"   // exactly, with ties
@@ -135,9 +133,5 @@
 #include "plumb/space/grid/grid_walk.hpp"  // a ray or segment, cell by cell
 
 // Which boxes overlap, by grids?
-#include "plumb/space/grid/cell_size.hpp"          // how large their cells are to be
-#include "plumb/space/grid/hierarchical_grid.hpp"  // boxes of any sizes, that come, go and move
-#include "plumb/space/grid/implicit_grid.hpp"      // some thousands, by bits
-#include "plumb/space/grid/list_grid.hpp"          // boxes of like sizes, that come, go and move
-#include "plumb/space/grid/row_column_grid.hpp"    // boxes of any sizes, by bits
-#include "plumb/space/grid/static_grid.hpp"        // boxes that stay
+#include "plumb/space/grid/cell_size.hpp"    // how large their cells are to be
+#include "plumb/space/grid/static_grid.hpp"  // boxes that stay

@@ -16,11 +16,8 @@
 
 #include "plumb/space/grid/cell_size.hpp"
 #include "plumb/space/grid/grid_walk.hpp"
-#include "plumb/space/grid/hierarchical_grid.hpp"
-#include "plumb/space/grid/implicit_grid.hpp"
-#include "plumb/space/grid/list_grid.hpp"
-#include "plumb/space/grid/row_column_grid.hpp"
 #include "plumb/space/grid/static_grid.hpp"
+#include "plumb/space/textbook/box_store.hpp"
 
 namespace plumb::bench {
 namespace {
@@ -176,7 +173,7 @@ Aabb3 around(const std::vector<Aabb3>& boxes) {
 template <class Ask>
 void retests(benchmark::State& state, Ask ask) {
   const std::vector<Aabb3> boxes = scene("uniform", 100'000);
-  const HashedGrid3 made = filled(HashedGrid3(0.5), boxes);
+  const HashedGrid3 made = filled(HashedGrid3({.cell_size = 0.5}), boxes);
   std::size_t asked = 0, found = 0;
   for (auto _ : state) {
     for (std::size_t i = 0; i < 10'000; ++i) found += ask(made, boxes[i * 7 % boxes.size()]).size();
@@ -212,14 +209,15 @@ void register_all() {
     };
     add("static", 100'000, [](const Boxes& b) { return StaticGrid3(b); });
     add("hierarchical", 100'000, [](const Boxes& b) { return filled(HierarchicalGrid3(), b); });
-    add("implicit", 10'000, [](const Boxes& b) { return filled(ImplicitGrid3(chosen(b)), b); });
+    add("implicit", 10'000, [](const Boxes& b) { return filled(ImplicitGrid3({.cell_size = chosen(b)}), b); });
     add("row_column", 10'000, [](const Boxes& b) { return filled(RowColumnGrid3(), b); });
     if (kind == "sizes") {  // of which a large box is in very many cells
-      add("hashed", 10'000, [](const Boxes& b) { return filled(HashedGrid3(8 * chosen(b)), b); });
+      add("hashed", 10'000, [](const Boxes& b) { return filled(HashedGrid3({.cell_size = 8 * chosen(b)}), b); });
       continue;
     }
-    add("hashed", 100'000, [](const Boxes& b) { return filled(HashedGrid3(chosen(b)), b); });
-    add("linked", 100'000, [](const Boxes& b) { return filled(LinkedGrid3(around(b), chosen(b)), b); });
+    add("hashed", 100'000, [](const Boxes& b) { return filled(HashedGrid3({.cell_size = chosen(b)}), b); });
+    add("linked", 100'000,
+        [](const Boxes& b) { return filled(LinkedGrid3({.world = around(b), .cell_size = chosen(b)}), b); });
   }
   benchmark::RegisterBenchmark("retests/lowest_cell", [](benchmark::State& s) {
     retests(s, [](const HashedGrid3& g, const Aabb3& b) { return g.in_box(b); });

@@ -107,7 +107,7 @@ void pairs(benchmark::State& state, CellRule rule) {
 void loose_pairs(benchmark::State& state) {
   const auto boxes = boxes_of(state.range(0));
   for (auto _ : state) {
-    LooseOctree tree(Aabb3{{0, 0, 0}, {2, 2, 2}});
+    LooseOctree tree({.world = {{0, 0, 0}, {2, 2, 2}}});
     for (const Aabb3& box : boxes) tree.insert(box);
     benchmark::DoNotOptimize(tree.overlapping_pairs({.execution = Execution::serial}).data());
   }
@@ -116,14 +116,15 @@ void loose_pairs(benchmark::State& state) {
 /// Each box by a tenth of its side.
 void loose_moves(benchmark::State& state) {
   auto boxes = boxes_of(state.range(0));
-  LooseOctree tree(Aabb3{{0, 0, 0}, {2, 2, 2}});
-  for (const Aabb3& box : boxes) tree.insert(box);
+  LooseOctree tree({.world = {{0, 0, 0}, {2, 2, 2}}});
+  std::vector<BoxHandle> handles;
+  for (const Aabb3& box : boxes) handles.push_back(tree.insert(box));
   const double by = 0.1 * (boxes[0].max.x - boxes[0].min.x);
   double sign = 1;
   for (auto _ : state) {
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
       boxes[i].min.x += sign * by, boxes[i].max.x += sign * by;
-      tree.move(i, boxes[i]);
+      tree.move(handles[i], boxes[i]);
     }
     sign = -sign;
   }

@@ -35,7 +35,7 @@ inline const std::map<std::string, std::vector<std::string>> rooms = {
       "polytope_hierarchy", "vclip", "penetration", "contact", "time_of_impact", "variant", "kinds"}},
     {"space",
      {"bvh", "closest", "moving", "pairs", "range", "ray", "coherence", "grid", "octree", "kd_tree", "sort_and_sweep",
-      "broad_phase", "cells", "bsp"}},
+      "textbook", "broad_phase", "cells", "bsp"}},
     {"surface", {"planar", "file", "topology", "section", "repair", "parts", "solid"}},
     {"tool",
      {"terminal", "drawing",   "mesh",   "rows",    "trial",     "manual",  "corpus", "boolean", "bounds",     "bsp",

@@ -13,7 +13,7 @@ inline std::size_t told_pairs(const Cloud& c, BroadPhaseMethod method) {
 /// With its boxes put in one after the other, moved and asked.
 template <class Index>
 void come_and_move(Index&& index, const Cloud& c) {
-  std::vector<std::uint32_t> handles;
+  std::vector<BoxHandle> handles;
   for (const Aabb3& b : c.boxes) handles.push_back(index.insert(b));
   for (std::size_t i = 0; i < handles.size(); ++i) index.move(handles[i], c.boxes[(i + 1) % handles.size()]);
   (void)index.overlapping_pairs();
@@ -293,34 +293,28 @@ inline const CostRow rows_of_indexes[]{
      [](const Cloud& c) { (void)sort_and_sweep_pairs(c.boxes, {.execution = Execution::serial}); }},
     {"SweepArray", "space/sort_and_sweep/sweep_array.hpp", quadratic, 1,
      [](const Cloud& c) { (void)SweepArray().overlapping_pairs(c.boxes); }},
-    {"SweepLists", "space/sort_and_sweep/sweep_lists.hpp", quadratic, 5,
-     [](const Cloud& c) {
-       SweepLists lists;
-       std::vector<std::uint32_t> numbers;
-       for (const Aabb3& b : c.boxes) numbers.push_back(lists.insert(b));
-       for (std::size_t i = 0; i < numbers.size(); ++i) lists.move(numbers[i], c.boxes[(i + 1) % numbers.size()]);
-       (void)lists.overlapping_pairs();
-     }},
-    {"HierarchicalGrid", "space/grid/hierarchical_grid.hpp", quadratic, 5,
+    {"SweepLists", "space/textbook/box_store.hpp", quadratic, 5,
+     [](const Cloud& c) { come_and_move(SweepLists(), c); }},
+    {"HierarchicalGrid", "space/textbook/box_store.hpp", quadratic, 5,
      [](const Cloud& c) { come_and_move(HierarchicalGrid3(), c); }},
-    {"RowColumnGrid", "space/grid/row_column_grid.hpp", quadratic, 20,
+    {"RowColumnGrid", "space/textbook/box_store.hpp", quadratic, 20,
      [](const Cloud& c) { come_and_move(RowColumnGrid3({.rows = 64}), c); }},
-    {"ImplicitGrid", "space/grid/implicit_grid.hpp", quadratic, 20,
-     [](const Cloud& c) { come_and_move(ImplicitGrid3(0.5, {.rows = 64}), c); }},
-    {"HashedGrid", "space/grid/list_grid.hpp", quadratic, 20,
-     [](const Cloud& c) { come_and_move(HashedGrid3(0.5), c); }},
+    {"ImplicitGrid", "space/textbook/box_store.hpp", quadratic, 20,
+     [](const Cloud& c) { come_and_move(ImplicitGrid3({.cell_size = 0.5, .rows = 64}), c); }},
+    {"HashedGrid", "space/textbook/box_store.hpp", quadratic, 20,
+     [](const Cloud& c) { come_and_move(HashedGrid3({.cell_size = 0.5}), c); }},
     {"StaticGrid", "space/grid/static_grid.hpp", quadratic, 20,
      [](const Cloud& c) { (void)StaticGrid3(c.boxes).overlapping_pairs(); }},
-    {"LooseOctree", "space/octree/loose_octree.hpp", quadratic, 5,
-     [](const Cloud& c) { come_and_move(LooseOctree(fit_aabb(c.a)), c); }},
+    {"LooseOctree", "space/textbook/box_store.hpp", quadratic, 5,
+     [](const Cloud& c) { come_and_move(LooseOctree({.world = fit_aabb(c.a)}), c); }},
     {"build_octree, boxes", "space/octree/box_octree.hpp", quadratic, 5,
      [](const Cloud& c) { (void)overlapping_pairs(build_octree(c.boxes)); }},
     {"build_octree, points", "space/octree/point_octree.hpp", linear, 5,
      [](const Cloud& c) { (void)in_box(build_octree(c.a), c.boxes[0]); }},
-    {"hybrid index", "space/kd_tree/hybrid_index.hpp", quadratic, 50,
+    {"hybrid index", "space/textbook/hybrid_index.hpp", quadratic, 50,
      [](const Cloud& c) {
        const auto world = build_grid_of_trees(c.boxes, {.in_part = 4, .most_in_list = 2});
-       (void)overlapping_pairs(world), (void)nearest(world, c.b[0]);
+       (void)overlapping_pairs(world);
      }},
     {"brute_force_pairs", "space/pairs/brute_force_pairs.hpp", quadratic, 1,
      [](const Cloud& c) { (void)brute_force_pairs(c.boxes); }},

@@ -115,15 +115,16 @@ TEST_F(KeptRows, OfPairsOfBoxes) {
 }
 
 TEST_F(KeptRows, OfIndexesOfBoxes) {
+  const StaticGrid3 fixed(boxes);
+  EXPECT_KEPT(BoxPair, fixed.overlapping_pairs({}, KEPT));
+  EXPECT_KEPT(Number, fixed.in_box(region, {}, KEPT));
   const auto ask = [&](const char* name, const auto& index) {
     SCOPED_TRACE(name);
-    EXPECT_KEPT(BoxPair, index.overlapping_pairs({}, KEPT));
-    EXPECT_KEPT(Number, index.in_box(region, {}, KEPT));
+    EXPECT_KEPT(HandlePair, index.overlapping_pairs({}, KEPT));
+    EXPECT_KEPT(BoxHandle, index.in_box(region, {}, KEPT));
   };
-  StaticGrid3 fixed(boxes);
-  ask("static grid", fixed);
   HierarchicalGrid3 levels;
-  ImplicitGrid3 implicit(1.5);
+  ImplicitGrid3 implicit({.cell_size = 1.5});
   RowColumnGrid3 columns;
   SweepLists lists;
   MovingBoxes moving;
@@ -133,7 +134,7 @@ TEST_F(KeptRows, OfIndexesOfBoxes) {
   ask("hierarchical grid", levels);
   ask("implicit grid", implicit);
   ask("row-column grid", columns);
-  EXPECT_KEPT(BoxPair, lists.overlapping_pairs(KEPT));
+  ask("lists", lists);
   EXPECT_KEPT(HandlePair, moving.overlapping_pairs(KEPT));
   EXPECT_KEPT(BoxHandle, moving.in_box(region, {}, KEPT));
 }
@@ -233,7 +234,7 @@ TEST(KeptRowsOfHeaders, AreTakenByEveryFunctionThatReturnsThem) {
           << entry.path() << ": " << name << " returns rows and takes none";
     }
   }
-  EXPECT_GE(seen, 90U);
+  EXPECT_GE(seen, 80U);
 }
 
 }  // namespace

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
 
+#include "figure/basic/thrown.hpp"
+#include "plumb/arith/error.hpp"
 #include "plumb/query.hpp"
 #include "plumb/space.hpp"
 
@@ -53,6 +56,16 @@ MovingBoxes world_of(const std::vector<Aabb3>& boxes) {
 /// Names of verbs, each with the rules that are broken.
 using Broken = std::map<std::string, std::string>;
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr Aabb3 no_box{{0, 0, 0}, {1, nan, 1}};
+constexpr Point3 no_point{0, nan, 0};
+
+/// Does the call throw this, and say the name of what was called?
+template <class Thrown, class Call>
+bool refuses(const char* name, const Call& call) {
+  return text_of<Thrown>(call).find(name) != std::string::npos;
+}
+
 constexpr Ray3 ray{{-1, 0.25, 0.5}, {1, 0, 0}};
 constexpr Point3 probe{2, 0, 0};
 
@@ -81,6 +94,7 @@ Broken verbs_of(const Index& index, const Index& nothing, std::size_t n) {
     const auto inside = in_box(index, beside, InBoxOptions{.touching = false});
     asked("in_box", inside.empty() && inside.size() <= touched.size(),
           "what touches is told where it is not asked for");
+    asked("in_box", refuses<NonFinite>("in_box", [&] { (void)in_box(index, no_box); }), "NaN is taken");
   }
   if constexpr (requires { overlapping_pairs(index); }) {
     asked("overlapping_pairs", overlapping_pairs(nothing).empty(), "of nothing there is something");
@@ -89,6 +103,9 @@ Broken verbs_of(const Index& index, const Index& nothing, std::size_t n) {
     if constexpr (requires { overlapping_pairs(index, BoxPairOptions{.touching = false}); }) {
       asked("overlapping_pairs", overlapping_pairs(index, BoxPairOptions{.touching = false}).size() == 1,
             "what touches is told where it is not asked for");
+      asked("overlapping_pairs",
+            overlapping_pairs(index, BoxPairOptions{.execution = Execution::serial}) == overlapping_pairs(index),
+            "threads tell others");
     }
   }
   if constexpr (requires { nearest(index, probe, std::size_t{3}); }) {
@@ -102,12 +119,15 @@ Broken verbs_of(const Index& index, const Index& nothing, std::size_t n) {
                                  }),
           "ties do not go by their numbers");
     asked("nearest", nearest(index, probe, std::size_t{0}).empty(), "none was asked for");
+    asked("nearest", refuses<InvalidShape>("nearest", [&] { (void)nearest(nothing, probe); }), "there is a nearest");
+    asked("nearest", refuses<NonFinite>("nearest", [&] { (void)nearest(index, no_point, 1); }), "NaN is taken");
   }
   if constexpr (requires { within(index, probe, 1.0); }) {
     asked("within", within(nothing, probe, 1e9).empty(), "of nothing there is something");
     asked("within", within(index, probe, 1e9).size() == n, "not all are within reach");
     const auto none = within(index, Point3{-2, 0, 0}, 2.0), short_of = within(index, Point3{-2, 0, 0}, 1.75);
     asked("within", none.size() == 1 && short_of.empty(), "a distance of exactly as much is within");
+    asked("within", refuses<NonFinite>("within", [&] { (void)within(index, no_point, 1.0); }), "NaN is taken");
   }
   if constexpr (requires { meeting(index, beside); }) {
     asked("meeting", meeting(nothing, world).empty(), "of nothing there is something");
@@ -116,10 +136,13 @@ Broken verbs_of(const Index& index, const Index& nothing, std::size_t n) {
     const std::vector<Aabb3> many{beside, world};
     const auto batch = meeting(index, std::span<const Aabb3>(many));
     asked("meeting", batch.size() == 2 && batch[0] == meeting(index, beside), "a batch answers as one by one");
+    asked("meeting", refuses<NonFinite>("max.y is nan", [&] { (void)meeting(index, no_box); }), "NaN is taken");
   }
   if constexpr (requires { first_hit(index, ray); }) {
     asked("first_hit", !first_hit(nothing, ray), "of nothing there is something");
     asked("first_hit", first_hit(index, ray).has_value(), "it is not hit");
+    const Ray3 no_ray{no_point, {1, 0, 0}};
+    asked("first_hit", refuses<NonFinite>("first_hit", [&] { (void)first_hit(index, no_ray); }), "NaN is taken");
   }
   if constexpr (requires { any_hit(index, ray); }) {
     asked("any_hit", !any_hit(nothing, ray) && any_hit(index, ray), "it is not hit");
@@ -140,6 +163,9 @@ Broken verbs_of(const Index& index, const Index& nothing, std::size_t n) {
     std::vector<std::optional<NumberedHit>> first(2);
     first_hit(index, rays, first);
     asked("first_hit", first[0] == all.at(0) && !first[1], "a batch answers as one by one");
+    const auto too_few = std::span(first).first(1);
+    asked("first_hit", refuses<UnequalLengths>("first_hit", [&] { first_hit(index, rays, too_few); }),
+          "a batch has fewer answers than questions");
     std::vector<std::uint8_t> any(2);
     any_hit(index, rays, any);
     asked("any_hit", any == std::vector<std::uint8_t>{1, 0}, "a batch answers as one by one");
@@ -155,6 +181,12 @@ Broken verbs_of(const Index& index, const Index& nothing, std::size_t n) {
     const auto count = count_intersecting_pairs(index, index);
     asked("count_intersecting_pairs", count.touching + count.overlapping == pairs.size(), "not all are counted");
     asked("any_intersecting_pair", any_intersecting_pair(index, index).has_value(), "none is found");
+    asked("intersecting_pairs", intersecting_pairs(index, index, PairOptions{.execution = Execution::serial}) == pairs,
+          "threads tell others");
+    const PairOptions stopped{.progress = [](double) { return false; }};
+    asked("intersecting_pairs",
+          refuses<Cancelled>("intersecting_pairs", [&] { (void)intersecting_pairs(index, index, stopped); }),
+          "it is not stopped");
     const auto own = intersecting_pairs(index);
     asked("intersecting_pairs", std::ranges::all_of(own, [](const TrianglePair& p) { return p.a < p.b; }),
           "of one with itself each is told once");
@@ -173,11 +205,17 @@ template <class Index>
 Broken changes_of(Index index) {
   Broken verbs;
   if constexpr (requires { insert(index, world); }) {
-    const auto handle = insert(index, Aabb3{{0, 0, 0}, {1, 1, 1}});
+    const BoxHandle handle = insert(index, Aabb3{{0, 0, 0}, {1, 1, 1}});
     move(index, handle, Aabb3{{2, 2, 2}, {3, 3, 3}});
     verbs["move"] = size_rule(index, 1);
     remove(index, handle);
-    verbs["insert"] = "", verbs["remove"] = size_rule(index, 0);
+    verbs["remove"] = size_rule(index, 0);
+    const BoxHandle other = insert(index, Aabb3{{0, 0, 0}, {1, 1, 1}});
+    const bool is_refused = refuses<InvalidShape>(" was removed", [&] { move(index, handle, world); });
+    verbs["insert"] = is_refused && !index.contains(handle) && index.contains(other) &&
+                              in_box(index, world) == std::vector<BoxHandle>{other}
+                          ? ""
+                          : "a handle names two boxes";
   }
   return verbs;
 }
@@ -213,12 +251,12 @@ TEST(Verbs, AreThoseOfTheTable) {
       {"SplitTree", asked_of([](const Boxes& b) { return build_split_tree(b); })},
       {"PointOctree", asked_of([](const Boxes& b) { return build_octree(corners_of(b)); })},
       {"BoxOctree", asked_of([](const Boxes& b) { return build_octree(b); })},
-      {"LooseOctree", asked_of([](const Boxes& b) { return filled(LooseOctree(world), b); })},
+      {"LooseOctree", asked_of([](const Boxes& b) { return filled(LooseOctree({.world = world}), b); })},
       {"StaticGrid", asked_of([](const Boxes& b) { return StaticGrid3(b, {.cell_size = 2}); })},
-      {"HashedGrid", asked_of([](const Boxes& b) { return filled(HashedGrid3(2), b); })},
-      {"LinkedGrid", asked_of([](const Boxes& b) { return filled(LinkedGrid3(world, 2), b); })},
+      {"HashedGrid", asked_of([](const Boxes& b) { return filled(HashedGrid3({.cell_size = 2}), b); })},
+      {"LinkedGrid", asked_of([](const Boxes& b) { return filled(LinkedGrid3({.world = world, .cell_size = 2}), b); })},
       {"HierarchicalGrid", asked_of([](const Boxes& b) { return filled(HierarchicalGrid3(), b); })},
-      {"ImplicitGrid", asked_of([](const Boxes& b) { return filled(ImplicitGrid3(2), b); })},
+      {"ImplicitGrid", asked_of([](const Boxes& b) { return filled(ImplicitGrid3({.cell_size = 2}), b); })},
       {"RowColumnGrid", asked_of([](const Boxes& b) { return filled(RowColumnGrid3(), b); })},
       {"SweepLists", asked_of([](const Boxes& b) { return filled(SweepLists(), b); })},
       {"MovingBoxes", asked_of([](const Boxes& b) { return world_of(b); })},
@@ -226,19 +264,19 @@ TEST(Verbs, AreThoseOfTheTable) {
   const std::map<std::string, std::string> expected{
       {"KdTree", "in_box memory_of nearest within"},
       {"FigureTree", "in_box memory_of nearest within"},
-      {"GridOfTrees", "in_box memory_of nearest overlapping_pairs"},
-      {"TreeOfGrids", "in_box memory_of nearest overlapping_pairs"},
+      {"GridOfTrees", "in_box memory_of overlapping_pairs"},
+      {"TreeOfGrids", "in_box memory_of overlapping_pairs"},
       {"SplitTree", "any_hit first_hit in_box memory_of overlapping_pairs"},
       {"PointOctree", "in_box"},
       {"BoxOctree", "in_box overlapping_pairs"},
-      {"LooseOctree", "in_box overlapping_pairs"},
+      {"LooseOctree", "in_box memory_of overlapping_pairs"},
       {"StaticGrid", "in_box memory_of overlapping_pairs"},
       {"HashedGrid", "in_box memory_of overlapping_pairs"},
       {"LinkedGrid", "in_box memory_of overlapping_pairs"},
       {"HierarchicalGrid", "in_box memory_of overlapping_pairs"},
       {"ImplicitGrid", "in_box memory_of overlapping_pairs"},
       {"RowColumnGrid", "in_box memory_of overlapping_pairs"},
-      {"SweepLists", "overlapping_pairs"},
+      {"SweepLists", "in_box memory_of overlapping_pairs"},
       {"MovingBoxes", "first_hit in_box overlapping_pairs"},
   };
   for (const Row& row : told) EXPECT_EQ(row.verbs, expected.at(row.index)) << row.index;
@@ -264,13 +302,14 @@ TEST(Verbs, OfMeshesAreThoseOfOneIndexInEveryForm) {
 
 TEST(Verbs, ChangeWhatComesAndGoes) {
   const std::string all = "insert move remove";
-  EXPECT_EQ(spoken(changes_of(LooseOctree(world))), all);
-  EXPECT_EQ(spoken(changes_of(HashedGrid3(2))), all);
-  EXPECT_EQ(spoken(changes_of(LinkedGrid3(world, 2))), all);
+  EXPECT_EQ(spoken(changes_of(LooseOctree({.world = world}))), all);
+  EXPECT_EQ(spoken(changes_of(HashedGrid3({.cell_size = 2}))), all);
+  EXPECT_EQ(spoken(changes_of(LinkedGrid3({.world = world, .cell_size = 2}))), all);
   EXPECT_EQ(spoken(changes_of(HierarchicalGrid3())), all);
-  EXPECT_EQ(spoken(changes_of(ImplicitGrid3(2))), all);
+  EXPECT_EQ(spoken(changes_of(ImplicitGrid3({.cell_size = 2}))), all);
   EXPECT_EQ(spoken(changes_of(RowColumnGrid3())), all);
   EXPECT_EQ(spoken(changes_of(SweepLists())), all);
+  EXPECT_EQ(spoken(changes_of(MovingBoxes())), all);
 }
 
 }  // namespace

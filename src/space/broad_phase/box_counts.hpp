@@ -7,11 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <vector>
 
 #include "plumb/space/broad_phase/choose_index.hpp"
-#include "plumb/space/grid/detail/size_level.hpp"
 #include "space/broad_phase/index_costs.hpp"
 #include "space/broad_phase/swept_columns.hpp"
 #include "space/grid/fitting_cell_size.hpp"
@@ -78,7 +76,7 @@ CountedBoxes count_boxes(std::span<const Box> boxes, double moving_share) {
   of[CountedThing::once] = 1;
   of[CountedThing::moved] = moving_share;
   of[CountedThing::boxes] = all / 1000;
-  of[CountedThing::copies] = of[CountedThing::swept_copies] = of[CountedThing::levels] = 1;
+  of[CountedThing::copies] = of[CountedThing::swept_copies] = 1;
   if (n < 2) return of;
   of[CountedThing::doublings] = std::log2(all);
 
@@ -98,12 +96,10 @@ CountedBoxes count_boxes(std::span<const Box> boxes, double moving_share) {
   const double size = fitting_cell_size("choose_index", boxes, choose_cell_size(boxes).size, false);
   const double per_size = per_cell_size("choose_index", size);
   std::vector<CellSpan<axes>> spans;
-  std::set<int> levels;
   double copies = 0;
   for (const Box& b : sample) {
     spans.push_back(cells_of(b, per_size));
     copies += cell_count(spans.back());
-    levels.insert(place_in_levels(b, least_level).level);
   }
   const std::size_t axis = widest_axis(BoxSet<Box>{sample}, bounds);
   double pairs = 0, windows = 0, mates = 0;
@@ -127,7 +123,6 @@ CountedBoxes count_boxes(std::span<const Box> boxes, double moving_share) {
   of[CountedThing::windows] = windows * to_all;
   of[CountedThing::mates] = mates * to_all;
   of[CountedThing::copies] = copies / sampled;
-  of[CountedThing::levels] = static_cast<double>(levels.size());
   of.traits.pairs = of[CountedThing::pairs];
   return of;
 }

@@ -21,9 +21,7 @@ IndexChoice chosen_index(std::span<const Box> boxes, const ChooseIndexOptions& o
   const space::CountedBoxes counted = space::count_boxes(boxes, options.moving_share);
   IndexChoice choice{counted.traits, {}};
   for (const space::MethodCosts& of : space::method_costs()) {
-    const bool is_of_space =
-        of.method == BroadPhaseMethod::swept_columns || of.method == BroadPhaseMethod::sort_and_sweep;
-    if (of.is_kept && (options.moving_share == 0 || (space::axes_of<Box> == 2 && is_of_space))) continue;
+    if (of.is_kept && (options.moving_share == 0 || space::axes_of<Box> == 2)) continue;
     const double predicted = space::predicted_cost(of, counted.counts);
     const auto same = std::find_if(choice.costs.begin(), choice.costs.end(), [&](const IndexCost& cost) {
       return cost.method == of.method && cost.is_kept == of.is_kept;
@@ -40,7 +38,13 @@ IndexChoice chosen_index(std::span<const Box> boxes, const ChooseIndexOptions& o
   const auto n = static_cast<double>(boxes.size());
   for (IndexCost& cost : choice.costs) {
     if (cost.predicted * n > options.most_milliseconds * 1e6) continue;
-    cost.measured = space::measured_nanoseconds(cost.method, cost.is_kept, boxes, options.moving_share) / n;
+    if constexpr (space::axes_of<Box> == 3) {
+      if (cost.is_kept) {
+        cost.measured = space::measured_nanoseconds_kept(cost.method, boxes, options.moving_share) / n;
+        continue;
+      }
+    }
+    cost.measured = space::measured_nanoseconds(cost.method, boxes) / n;
   }
   return choice;
 }

@@ -24,11 +24,10 @@ enum class CountedThing : unsigned char {
   windows,        // boxes that overlap it along the axis of greatest variance and come after it
   swept_copies,   // columns that it reaches into
   swept_windows,  // boxes that it is compared with in columns
-  levels,         // of sizes, each twice as large, that there are
   moved,          // the share of boxes that move
   moved_windows,  // swept_windows of these
 };
-inline constexpr std::size_t counted_things = 12;
+inline constexpr std::size_t counted_things = 11;
 using Counts = std::array<double, counted_things>;
 
 struct MethodCosts {
@@ -37,7 +36,7 @@ struct MethodCosts {
   Counts nanoseconds;
 };
 
-/// Those of every method; where it is there twice, what it takes is the lesser.
+/// Those of every method but the structures of space/textbook, which are never the fastest; where it is there twice, what it takes is the lesser.
 std::span<const MethodCosts> method_costs();
 
 /// Nanoseconds for each box.

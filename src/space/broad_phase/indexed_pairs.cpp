@@ -6,14 +6,9 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/space/bvh/build.hpp"
-#include "plumb/space/grid/hierarchical_grid.hpp"
-#include "plumb/space/grid/implicit_grid.hpp"
-#include "plumb/space/grid/list_grid.hpp"
-#include "plumb/space/grid/row_column_grid.hpp"
 #include "plumb/space/grid/static_grid.hpp"
 #include "plumb/space/kd_tree/split_range.hpp"
-#include "plumb/space/octree/loose_octree.hpp"
-#include "plumb/space/sort_and_sweep/sweep_lists.hpp"
+#include "plumb/space/textbook/box_store.hpp"
 #include "space/bvh/pair_parts.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/grid/fitting_cell_size.hpp"
@@ -77,16 +72,24 @@ struct Search {
   }
 
   /// By a grid that is made.
-  template <class Grid>
-  void by_grid(const Grid& grid) const {
+  void by_grid(const StaticGrid<Box>& grid) const {
     if (is_one_set()) return tell(grid.overlapping_pairs(pair_options()), 1);
     ask([&](const Box& box) { return grid.in_box(box, in_box_options()); });
   }
-  /// By a grid that boxes are put into.
-  template <class Grid>
-  void by_filled(Grid grid) const {
-    for (const Box& box : a) grid.insert(box);
-    by_grid(grid);
+  /// By a structure that boxes are put into: slots are their numbers.
+  template <BoxScheme scheme>
+  void by_filled(BoxStore<Box, scheme> store) const {
+    for (const Box& box : a) store.insert(box);
+    if (is_one_set()) {
+      std::vector<BoxPair> pairs;
+      for (const HandlePair& p : store.overlapping_pairs(pair_options())) pairs.push_back({p.a.slot, p.b.slot});
+      return tell(pairs, 1);
+    }
+    ask([&](const Box& box) {
+      std::vector<std::uint32_t> found;
+      for (const BoxHandle& h : store.in_box(box, in_box_options())) found.push_back(h.slot);
+      return found;
+    });
   }
 
   [[nodiscard]] double cell_size(bool is_table) const {
@@ -97,13 +100,6 @@ struct Search {
     const auto tree = octree_of(a, {.rule = rule, .execution = options.execution});
     if (is_one_set()) return tell(overlapping_pairs(tree, pair_options()), 1);
     ask([&](const Box& box) { return in_box(tree, box, in_box_options()); });
-  }
-
-  void by_loose_octree() const {
-    LooseCells<axes_of<Box>> tree(box_around(a));
-    for (const Box& box : a) tree.insert(box);
-    if (is_one_set()) return tell(tree.overlapping_pairs(pair_options()), 1);
-    ask([&](const Box& box) { return tree.in_box(box, in_box_options()); });
   }
 
   void by_kd_tree() const {
@@ -156,16 +152,16 @@ struct Search {
     SetBounds bounds;
     (void)find_bounds(a, bounds);
     const std::size_t first = first_listed_axis(BoxSet<Box>{a}, bounds, static_cast<std::size_t>(axes));
-    SweepLists lists({options.touching, std::min(axes, static_cast<int>(axes_of<Box>)), static_cast<SweepAxis>(first)});
+    BoxStore<Box, BoxScheme::sweep_lists> lists({.lists = axes, .first_axis = static_cast<SweepAxis>(first)});
     std::vector<std::uint32_t> order(set.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});
     const auto start = [&](std::uint32_t i) { return numbers_of(set[i])[first]; };
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t i, std::uint32_t j) { return start(i) < start(j) || (start(i) == start(j) && i < j); });
-    for (const std::uint32_t i : order) lists.insert(in_space(set[i]));
+    for (const std::uint32_t i : order) lists.insert(set[i]);
     std::vector<BoxPair> pairs;
-    for (const BoxPair& p : lists.overlapping_pairs()) {
-      const auto [i, j] = std::minmax(order[p.a], order[p.b]);
+    for (const HandlePair& p : lists.overlapping_pairs(pair_options())) {
+      const auto [i, j] = std::minmax(order[p.a.slot], order[p.b.slot]);
       if (is_one_set() || (i < a.size() && j >= a.size())) pairs.push_back({i, j});
     }
     tell(pairs, 1);
@@ -183,11 +179,11 @@ void find_by_index(const BroadPhaseOptions& options, std::span<const Box> a, std
     case Method::static_grid:
       return search.by_grid(StaticGrid<Box>(a));
     case Method::linked_grid:
-      return search.by_filled(LinkedGrid<Box>(box_around(a), search.cell_size(false)));
+      return search.by_filled(LinkedGrid<Box>({.world = box_around(a), .cell_size = search.cell_size(false)}));
     case Method::hashed_grid:
-      return search.by_filled(HashedGrid<Box>(search.cell_size(true)));
+      return search.by_filled(HashedGrid<Box>({.cell_size = search.cell_size(true)}));
     case Method::implicit_grid:
-      return search.by_filled(ImplicitGrid<Box>(search.cell_size(true)));
+      return search.by_filled(ImplicitGrid<Box>({.cell_size = search.cell_size(true)}));
     case Method::hierarchical_grid:
       return search.by_filled(HierarchicalGrid<Box>());
     case Method::row_column_grid:
@@ -197,7 +193,7 @@ void find_by_index(const BroadPhaseOptions& options, std::span<const Box> a, std
     case Method::octree_of_leaves:
       return search.by_octree(CellRule::every_leaf);
     case Method::loose_octree:
-      return search.by_loose_octree();
+      return search.by_filled(LooseCells<Box>({.world = box_around(a)}));
     case Method::box_tree:
       return search.by_box_tree();
     case Method::lists_along_one:

@@ -10,32 +10,25 @@
 
 #include "plumb/space/broad_phase/moving_boxes.hpp"
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
-#include "plumb/space/grid/hierarchical_grid.hpp"
-#include "plumb/space/grid/implicit_grid.hpp"
-#include "plumb/space/grid/list_grid.hpp"
-#include "plumb/space/grid/row_column_grid.hpp"
-#include "plumb/space/octree/loose_octree.hpp"
 #include "plumb/space/sort_and_sweep/sweep_array.hpp"
-#include "space/grid/fitting_cell_size.hpp"
 
 namespace plumb::space {
 
 /// A scene of frames: some of the boxes take a small step, forth and back by turns, a fiftieth of their edges.
-template <class Box>
 class SteppedBoxes {
  public:
-  SteppedBoxes(std::span<const Box> boxes, double share) : boxes_(boxes.begin(), boxes.end()), still_(boxes_) {
+  SteppedBoxes(std::span<const Aabb3> boxes, double share) : boxes_(boxes.begin(), boxes.end()), still_(boxes_) {
     const double every = share > 0 ? 1 / share : 0;
     for (double at = 0; share > 0 && at < static_cast<double>(boxes.size()); at += every) {
       moving_.push_back(static_cast<std::uint32_t>(at));
     }
   }
-  [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
+  [[nodiscard]] const std::vector<Aabb3>& boxes() const { return boxes_; }
   [[nodiscard]] const std::vector<std::uint32_t>& moving() const { return moving_; }
   void step() {
     is_forth_ = !is_forth_;
     for (const std::uint32_t i : moving_) {
-      Box& b = boxes_[i];
+      Aabb3& b = boxes_[i];
       b = still_[i];
       if (!is_forth_) continue;
       const auto by = [](double& low, double& high) {  // where numbers end, it stays
@@ -44,12 +37,12 @@ class SteppedBoxes {
       };
       by(b.min.x, b.max.x);
       by(b.min.y, b.max.y);
-      if constexpr (axes_of<Box> == 3) by(b.min.z, b.max.z);
+      by(b.min.z, b.max.z);
     }
   }
 
  private:
-  std::vector<Box> boxes_, still_;
+  std::vector<Aabb3> boxes_, still_;
   std::vector<std::uint32_t> moving_;
   bool is_forth_ = false;
 };
@@ -68,19 +61,7 @@ double least_nanoseconds(const Prepare& prepare, const Call& call) {
   return least;
 }
 
-/// A grid or a tree that boxes are put into: what moves is moved, then all pairs are asked for.
-template <class Grid, class Box, class Pairs>
-double nanoseconds_of_moving(Grid grid, SteppedBoxes<Box>& scene, const Pairs& pairs) {
-  for (const Box& b : scene.boxes()) grid.insert(b);
-  pairs(grid);
-  return least_nanoseconds([&] { scene.step(); },
-                           [&] {
-                             for (const std::uint32_t i : scene.moving()) grid.move(i, scene.boxes()[i]);
-                             pairs(grid);
-                           });
-}
-
-inline double nanoseconds_of_moving_boxes(SteppedBoxes<Aabb3>& scene) {
+inline double nanoseconds_of_moving_boxes(SteppedBoxes& scene) {
   MovingBoxes world;
   const std::vector<BoxHandle> handles = world.insert(scene.boxes());
   (void)world.changes();
@@ -98,37 +79,19 @@ inline double nanoseconds_of_moving_boxes(SteppedBoxes<Aabb3>& scene) {
   });
 }
 
-/// For all boxes together; at least one.
+/// From scratch, for all boxes together; at least one.
 template <class Box>
-double measured_nanoseconds(BroadPhaseMethod method, bool is_kept, std::span<const Box> boxes, double moving_share) {
-  using Method = BroadPhaseMethod;
-  const BoxPairOptions serial{.execution = Execution::serial};
-  if (!is_kept) {
-    const BroadPhaseOptions options{.execution = Execution::serial, .method = method};
-    return least_nanoseconds([] {}, [&] { (void)overlapping_pairs(boxes, options); });
-  }
-  SteppedBoxes<Box> scene(boxes, moving_share);
-  const auto by_grid = [&](auto grid) {
-    return nanoseconds_of_moving(std::move(grid), scene, [&](const auto& g) { (void)g.overlapping_pairs(serial); });
-  };
-  const auto cell_size = [&](bool is_table) {
-    return fitting_cell_size("choose_index", boxes, choose_cell_size(boxes).size, is_table);
-  };
-  if constexpr (axes_of<Box> == 3) {
-    if (method == Method::swept_columns) return nanoseconds_of_moving_boxes(scene);
-    if (method == Method::sort_and_sweep) {
-      SweepArray sweep;
-      (void)sweep.overlapping_pairs(scene.boxes());
-      return least_nanoseconds([&] { scene.step(); }, [&] { (void)sweep.overlapping_pairs(scene.boxes()); });
-    }
-  }
-  if (method == Method::linked_grid) return by_grid(LinkedGrid<Box>(box_around(boxes), cell_size(false)));
-  if (method == Method::hashed_grid) return by_grid(HashedGrid<Box>(cell_size(true)));
-  if (method == Method::implicit_grid) return by_grid(ImplicitGrid<Box>(cell_size(true)));
-  if (method == Method::hierarchical_grid) return by_grid(HierarchicalGrid<Box>());
-  if (method == Method::row_column_grid) return by_grid(RowColumnGrid<Box>());
-  return nanoseconds_of_moving(LooseCells<axes_of<Box>>(box_around(boxes)), scene,
-                               [&](const auto& tree) { (void)tree.overlapping_pairs(serial); });
+double measured_nanoseconds(BroadPhaseMethod method, std::span<const Box> boxes) {
+  const BroadPhaseOptions options{.execution = Execution::serial, .method = method};
+  return least_nanoseconds([] {}, [&] { (void)overlapping_pairs(boxes, options); });
+}
+/// Kept from frame to frame, in columns or sorted along an axis.
+inline double measured_nanoseconds_kept(BroadPhaseMethod method, std::span<const Aabb3> boxes, double moving_share) {
+  SteppedBoxes scene(boxes, moving_share);
+  if (method == BroadPhaseMethod::swept_columns) return nanoseconds_of_moving_boxes(scene);
+  SweepArray sweep;
+  (void)sweep.overlapping_pairs(scene.boxes());
+  return least_nanoseconds([&] { scene.step(); }, [&] { (void)sweep.overlapping_pairs(scene.boxes()); });
 }
 
 }  // namespace plumb::space

@@ -14,13 +14,10 @@
 #include "space/broad_phase/pair_order.hpp"
 #include "space/bvh/checked_box.hpp"
 #include "space/pairs/checked_boxes.hpp"
+#include "space/pairs/refused_handle.hpp"
 
 namespace plumb {
 namespace {
-
-std::string text_of_handle(const BoxHandle& h) {
-  return "(slot " + std::to_string(h.slot) + ", generation " + std::to_string(h.generation) + ")";
-}
 
 void require_box(std::string_view function, std::string_view name, const Aabb3& box) {
   if (!space::is_sound(box)) space::refuse_box(function, name, box);
@@ -52,8 +49,7 @@ struct MovingBoxes::State {
     if (contains(h)) return;
     const bool was = h.slot < generation.size() &&
                      (h.generation < generation[h.slot] || (h.generation == generation[h.slot] && alive[h.slot] == 0));
-    throw InvalidShape(std::string(function) + ": " + name + " " + text_of_handle(h) +
-                       (was ? " was removed" : " names no box that was inserted"));
+    space::refuse_handle(function, name, h, was);
   }
   void mark(std::uint32_t slot) {
     if (updated[slot] == 0) moved.push_back(slot), boxes_before[slot] = boxes[slot];
@@ -133,7 +129,7 @@ void MovingBoxes::move(std::span<const BoxHandle> handles, std::span<const Aabb3
       forget(i);
       const std::string name = "handles[" + std::to_string(i) + "]";
       if (!is_twice) s.require("MovingBoxes::move", name, h);
-      throw InvalidShape("MovingBoxes::move: " + name + " " + text_of_handle(h) + " is there twice");
+      throw InvalidShape("MovingBoxes::move: " + name + " " + space::text_of_handle(h) + " is there twice");
     }
     s.updated[h.slot] |= seen;
   }

@@ -99,6 +99,17 @@ bool holds_cell(const CellSpan<n>& span, const CellNumber<n>& cell) {
   return in;
 }
 
+/// Of a cell of the span, the first axis fastest.
+template <std::size_t n>
+std::size_t index_in(const CellSpan<n>& span, const CellNumber<n>& cell) {
+  std::size_t index = 0;
+  for (std::size_t k = n; k-- > 0;) {
+    index = index * static_cast<std::size_t>(span.last[k] - span.first[k] + 1) +
+            static_cast<std::size_t>(cell[k] - span.first[k]);
+  }
+  return index;
+}
+
 /// The reciprocal of a cell size, which must be above zero.
 inline double per_cell_size(std::string_view function, double size, const char* name = "options.cell_size") {
   if (!(size - size == 0)) throw NonFinite(std::string(function) + ": " + name + " is " + std::to_string(size));
@@ -115,11 +126,6 @@ inline void require_memory(std::string_view function, double bytes, std::size_t 
   const auto end = std::to_chars(text.data(), text.data() + text.size(), bytes, std::chars_format::general, 15).ptr;
   throw Error(std::string(function) + ": the grid would take " + std::string(text.data(), end) +
               " bytes, but options.most_memory is " + std::to_string(most) + "; " + mend);
-}
-
-inline InvalidShape not_in_grid(std::string_view function, std::uint32_t handle) {
-  return InvalidShape(std::string(function) + ": handle " + std::to_string(handle) +
-                      " is not in the grid; it was removed, or never given");
 }
 
 }  // namespace plumb::space

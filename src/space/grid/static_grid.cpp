@@ -43,12 +43,7 @@ StaticGrid<Box>::StaticGrid(std::span<const Box> boxes, const GridOptions& optio
 
 template <class Box>
 std::size_t StaticGrid<Box>::slice_of(const space::CellNumber<n>& cell) const {
-  std::size_t slice = 0;
-  for (std::size_t k = n; k-- > 0;) {
-    slice = slice * static_cast<std::size_t>(all_.last[k] - all_.first[k] + 1) +
-            static_cast<std::size_t>(cell[k] - all_.first[k]);
-  }
-  return slice;
+  return space::index_in(all_, cell);
 }
 
 template <class Box>

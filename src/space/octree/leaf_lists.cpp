@@ -98,7 +98,7 @@ class LeafLists {
 
   template <class Take>
   void each_child_of_item(unsigned level, const CellNode& cell, const Take& take) const {
-    const CellSpan<D> span = span_of<D>(cell.code);
+    const plumb::CellSpan<D> span = span_of<D>(cell.code);
     const Lists& items = levels_[level];
     for (std::uint32_t i = cell.begin; i < cell.end; ++i) {
       const PlaceRange<D>& box = boxes_[items[i]];

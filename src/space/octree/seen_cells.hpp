@@ -16,7 +16,7 @@ struct PlaceRange {
   typename CellFrame<D>::Place low, high;
 
   /// Has it one of the cell's least cells?
-  [[nodiscard]] bool meets(const CellSpan<D>& cell) const {
+  [[nodiscard]] bool meets(const plumb::CellSpan<D>& cell) const {
     bool all = true;
     for (std::size_t axis = 0; axis < D; ++axis) {
       all &= low[axis] < cell.first[axis] + cell.count && cell.first[axis] <= high[axis];
@@ -37,8 +37,8 @@ PlaceRange<D> range_of(const CellFrame<D>& frame, const typename CellKinds<D>::B
 
 /// Child c.
 template <std::size_t D>
-CellSpan<D> child_of(const CellSpan<D>& cell, std::size_t c) {
-  CellSpan<D> child{cell.first, cell.count / 2};
+plumb::CellSpan<D> child_of(const plumb::CellSpan<D>& cell, std::size_t c) {
+  plumb::CellSpan<D> child{cell.first, cell.count / 2};
   for (std::size_t axis = 0; axis < D; ++axis) {
     if ((c >> axis & 1) != 0) child.first[axis] += static_cast<std::uint32_t>(child.count);
   }
@@ -51,7 +51,7 @@ void visit_seen_cells(const CellTree<D>& tree, const PlaceRange<D>& range, std::
   constexpr std::size_t children = std::size_t{1} << D;
   struct Waiting {
     std::uint32_t node;
-    CellSpan<D> span;
+    plumb::CellSpan<D> span;
   };
   std::array<Waiting, (children - 1) * CellFrame<D>::levels + 1> later;
   std::size_t waiting = 0;
@@ -64,7 +64,7 @@ void visit_seen_cells(const CellTree<D>& tree, const PlaceRange<D>& range, std::
     for (std::size_t c = children; c-- > 0;) {
       const auto child = static_cast<std::uint32_t>(node.children + c);
       if (tree.nodes[child].count() == 0) continue;
-      const CellSpan<D> span = child_of(now.span, c);
+      const plumb::CellSpan<D> span = child_of(now.span, c);
       if (range.meets(span)) later[waiting++] = {child, span};
     }
   }

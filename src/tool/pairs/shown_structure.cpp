@@ -8,12 +8,12 @@
 
 #include "plumb/space/bvh/build.hpp"
 #include "plumb/space/grid/cell_size.hpp"
-#include "plumb/space/grid/detail/size_level.hpp"
 #include "plumb/space/kd_tree/split_tree.hpp"
-#include "plumb/space/octree/loose_octree.hpp"
 #include "space/broad_phase/swept_columns.hpp"
 #include "space/grid/fitting_cell_size.hpp"
 #include "space/octree/octree_of.hpp"
+#include "space/textbook/levels.hpp"
+#include "space/textbook/loose_tree.hpp"
 #include "tool/pairs/method_names.hpp"
 #include "tool/terminal/number_text.hpp"
 
@@ -179,9 +179,9 @@ struct Structure {
   }
 
   [[nodiscard]] ShownStructure by_loose_octree() const {
-    LooseCells<n> tree(space::box_around(a));
+    const space::LooseTree<Box> tree({"pairs", {}}, {.world = space::box_around(a)});
     std::vector<std::uint64_t> codes;
-    for (const Box& box : a) codes.push_back(tree.code(tree.insert(box)));
+    for (const Box& box : a) codes.push_back(tree.place_of(box).code);
     std::ranges::sort(codes);
     codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     ShownStructure shown{.line = "a cell"};

@@ -13,13 +13,8 @@
 #include "plumb/space/bvh/descend_pairs.hpp"
 #include "plumb/space/bvh/insertion_tree.hpp"
 #include "plumb/space/bvh/refit.hpp"
-#include "plumb/space/grid/hierarchical_grid.hpp"
-#include "plumb/space/grid/implicit_grid.hpp"
-#include "plumb/space/grid/list_grid.hpp"
-#include "plumb/space/grid/row_column_grid.hpp"
-#include "plumb/space/octree/loose_octree.hpp"
 #include "plumb/space/sort_and_sweep/sweep_array.hpp"
-#include "plumb/space/sort_and_sweep/sweep_lists.hpp"
+#include "plumb/space/textbook/box_store.hpp"
 #include "space/pairs/box_scenes.hpp"
 
 namespace plumb {
@@ -59,7 +54,7 @@ Pairs ascending(Pairs pairs) {
   return pairs;
 }
 
-/// What has a number for each box: grids, loose octrees, lists.
+/// What boxes are put into and asked as it is: grids, loose octrees, lists.
 template <class Index>
 class Numbered : public World {
  public:
@@ -67,42 +62,32 @@ class Numbered : public World {
   explicit Numbered(Arguments&&... arguments) : index_(std::forward<Arguments>(arguments)...) {}
 
   void insert(Id id, const Aabb3& box) override {
-    const std::uint32_t number = index_.insert(box);
-    if (number >= id_of_.size()) id_of_.resize(number + 1);
-    if (id >= number_of_.size()) number_of_.resize(id + 1);
-    id_of_[number] = id, number_of_[id] = number;
+    const BoxHandle handle = index_.insert(box);
+    if (handle.slot >= id_of_.size()) id_of_.resize(handle.slot + 1);
+    if (id >= handle_of_.size()) handle_of_.resize(id + 1);
+    id_of_[handle.slot] = id, handle_of_[id] = handle;
   }
-  void move(Id id, const Aabb3& box) override { index_.move(number_of_[id], box); }
-  void remove(Id id) override { index_.remove(number_of_[id]); }
+  void move(Id id, const Aabb3& box) override { index_.move(handle_of_[id], box); }
+  void remove(Id id) override { index_.remove(handle_of_[id]); }
   Pairs pairs(bool touching) override {
     Pairs pairs;
-    if constexpr (requires { index_.overlapping_pairs({touching, Execution::serial}); }) {
-      pairs = index_.overlapping_pairs({touching, Execution::serial});
-    } else {
-      pairs = index_.overlapping_pairs();
-    }
-    for (BoxPair& p : pairs) p = {id_of_[p.a], id_of_[p.b]};
+    for (const HandlePair& p : index_.overlapping_pairs({touching, Execution::serial}))
+      pairs.push_back({id_of_[p.a.slot], id_of_[p.b.slot]});
     return ascending(std::move(pairs));
   }
   std::optional<Ids> in_box(const Aabb3& box, bool touching) override {
+    const std::vector<BoxHandle> found = index_.in_box(box, {.touching = touching});
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     Ids ids;
-    if constexpr (requires { index_.in_box(box, {.touching = touching}); }) {
-      ids = index_.in_box(box, {.touching = touching});
-    } else if constexpr (requires { index_.in_box(box); }) {
-      if (!touching) return {};
-      ids = index_.in_box(box);
-    } else {
-      return {};
-    }
-    EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
-    for (Id& id : ids) id = id_of_[id];
+    for (const BoxHandle& h : found) ids.push_back(id_of_[h.slot]);
     std::sort(ids.begin(), ids.end());
     return ids;
   }
 
  private:
   Index index_;
-  Ids id_of_, number_of_;
+  Ids id_of_;
+  std::vector<BoxHandle> handle_of_;
 };
 
 /// What is told of changes makes the pairs before those of now, and is told once.
@@ -262,22 +247,28 @@ constexpr Aabb3 around_zero{{-4, -4, -4}, {4, 4, 4}};
 
 const std::vector<Structure>& structures() {
   using std::make_unique;
+  using StoreOptions = BoxStoreOptions<Aabb3>;
   const auto lists = [](int axes, SweepAxis first) {
-    return [=](bool touching) { return make_unique<Numbered<SweepLists>>(SweepListsOptions{touching, axes, first}); };
+    return [=](bool) { return make_unique<Numbered<SweepLists>>(StoreOptions{.lists = axes, .first_axis = first}); };
   };
   const auto moving = [](double margin) {
     return [=](bool touching) { return make_unique<Moving>(touching, margin); };
   };
   static const std::vector<Structure> all{
-      {"HashedGrid, cells of 1", false, [](bool) { return make_unique<Numbered<HashedGrid3>>(1.0); }},
-      {"HashedGrid, cells of 5", false, [](bool) { return make_unique<Numbered<HashedGrid3>>(5.0); }},
-      {"LinkedGrid", true, [](bool) { return make_unique<Numbered<LinkedGrid3>>(around_zero, 1.5); }},
+      {"HashedGrid, cells of 1", false,
+       [](bool) { return make_unique<Numbered<HashedGrid3>>(StoreOptions{.cell_size = 1}); }},
+      {"HashedGrid, cells of 5", false,
+       [](bool) { return make_unique<Numbered<HashedGrid3>>(StoreOptions{.cell_size = 5}); }},
+      {"LinkedGrid", true,
+       [](bool) {
+         return make_unique<Numbered<LinkedGrid3>>(StoreOptions{around_zero, 1.5});
+       }},
       {"ImplicitGrid", true,
-       [](bool) { return make_unique<Numbered<ImplicitGrid3>>(0.75, ImplicitGridOptions{.rows = 16}); }},
+       [](bool) { return make_unique<Numbered<ImplicitGrid3>>(StoreOptions{.cell_size = 0.75, .rows = 16}); }},
       {"HierarchicalGrid", true, [](bool) { return make_unique<Numbered<HierarchicalGrid3>>(); }},
-      {"RowColumnGrid", true,
-       [](bool) { return make_unique<Numbered<RowColumnGrid3>>(RowColumnGridOptions{.rows = 16}); }},
-      {"LooseOctree", true, [](bool) { return make_unique<Numbered<LooseOctree>>(around_zero); }},
+      {"RowColumnGrid", true, [](bool) { return make_unique<Numbered<RowColumnGrid3>>(StoreOptions{.rows = 16}); }},
+      {"LooseOctree", true,
+       [](bool) { return make_unique<Numbered<LooseOctree>>(StoreOptions{.world = around_zero}); }},
       {"SweepLists, x", true, lists(1, SweepAxis::x)},
       {"SweepLists, y and z", true, lists(2, SweepAxis::y)},
       {"SweepLists", true, lists(3, SweepAxis::x)},

@@ -15,11 +15,9 @@
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/figure/aabb/relation.hpp"
 #include "plumb/space/grid/cell_size.hpp"
-#include "plumb/space/grid/hierarchical_grid.hpp"
-#include "plumb/space/grid/implicit_grid.hpp"
-#include "plumb/space/grid/list_grid.hpp"
-#include "plumb/space/grid/row_column_grid.hpp"
 #include "plumb/space/grid/static_grid.hpp"
+#include "plumb/space/textbook/box_store.hpp"
+#include "space/textbook/loose_tree.hpp"
 
 namespace plumb {
 namespace {
@@ -121,13 +119,27 @@ std::string name(Set set, std::size_t i) {
   return out.str();
 }
 
+/// By the numbers of the boxes, which slots are.
+std::vector<BoxPair> by_number(std::vector<BoxPair> pairs) { return pairs; }
+std::vector<BoxPair> by_number(const std::vector<HandlePair>& pairs) {
+  std::vector<BoxPair> numbers;
+  for (const HandlePair& p : pairs) numbers.push_back({p.a.slot, p.b.slot});
+  return numbers;
+}
+std::vector<std::uint32_t> by_number(std::vector<std::uint32_t> found) { return found; }
+std::vector<std::uint32_t> by_number(const std::vector<BoxHandle>& found) {
+  std::vector<std::uint32_t> numbers;
+  for (const BoxHandle& h : found) numbers.push_back(h.slot);
+  return numbers;
+}
+
 template <class Grid, class Box>
 void expect_pairs(const Grid& grid, const std::vector<Box>& boxes, const std::vector<char>& there,
                   const std::string& what) {
   for (const bool touching : {true, false}) {
     const std::vector<BoxPair> expected = by_brute_force(boxes, there, touching);
     for (const Execution execution : {Execution::serial, Execution::parallel}) {
-      ASSERT_EQ(sorted(grid.overlapping_pairs({touching, execution})), expected)
+      ASSERT_EQ(sorted(by_number(grid.overlapping_pairs({touching, execution}))), expected)
           << what << (touching ? ", touching" : "");
     }
   }
@@ -142,12 +154,12 @@ void expect_in_box(const Grid& grid, const std::vector<Box>& boxes, const std::v
       const Relation r = relate(box, boxes[b]);
       if (there[b] != 0 && (touching ? r != Relation::disjoint : r == Relation::overlapping)) expected.push_back(b);
     }
-    ASSERT_EQ(grid.in_box(box, {.touching = touching}), expected) << what;
-    if constexpr (requires(VisitBits bits) { grid.in_box(box, bits, {.touching = touching}); }) {
+    ASSERT_EQ(by_number(grid.in_box(box, {.touching = touching})), expected) << what;
+    if constexpr (requires(VisitBits bits) { grid.in_box(box, bits); }) {
       static VisitStamps stamps;
       static VisitBits bits;
-      ASSERT_EQ(grid.in_box(box, stamps, {.touching = touching}), expected) << what;
-      ASSERT_EQ(grid.in_box(box, bits, {.touching = touching}), expected) << what;
+      ASSERT_EQ(by_number(grid.in_box(box, stamps, {.touching = touching})), expected) << what;
+      ASSERT_EQ(by_number(grid.in_box(box, bits, {.touching = touching})), expected) << what;
     }
   }
 }
@@ -192,37 +204,40 @@ TEST(BoxGrids, StaticGridsTellThePairsOfBruteForce) {
   }
 }
 
-/// Boxes come, go and move; the handles are those of a list of boxes.
+/// Boxes come, go and move; their slots are the numbers of a list of boxes.
 template <class Grid, class Box>
 void expect_changes(Grid grid, Set set, std::size_t seed) {
   Entropy entropy(7150 + static_cast<std::uint64_t>(set), seed);
   std::vector<Box> boxes;
   std::vector<char> there;
+  std::vector<BoxHandle> handles;
   const auto any = [&] { return static_cast<std::uint32_t>(entropy.below(boxes.size())); };
   const int steps = 120;
   for (int step = 0; step < steps; ++step) {
     const Box box = box_of<Box>(set, static_cast<double>(entropy.below(4)) * 3, entropy);
     const auto choice = entropy.below(step < steps / 2 ? 4 : 7);
     if (choice < 3 || boxes.empty()) {
-      const std::uint32_t handle = grid.insert(box);
-      if (handle == boxes.size()) boxes.push_back(box), there.push_back(0);
-      ASSERT_LT(handle, boxes.size());
-      ASSERT_EQ(there[handle], 0);
-      boxes[handle] = box, there[handle] = 1;
+      const BoxHandle handle = grid.insert(box);
+      if (handle.slot == boxes.size()) boxes.push_back(box), there.push_back(0), handles.emplace_back();
+      ASSERT_LT(handle.slot, boxes.size());
+      ASSERT_EQ(there[handle.slot], 0);
+      ASSERT_NE(handle, handles[handle.slot]);  // a handle is never given again
+      boxes[handle.slot] = box, there[handle.slot] = 1, handles[handle.slot] = handle;
     } else if (choice < 5) {
-      const std::uint32_t handle = any();
-      if (there[handle] != 0) {
-        grid.move(handle, box);
-        boxes[handle] = box;
+      const std::uint32_t i = any();
+      if (there[i] != 0) {
+        grid.move(handles[i], box);
+        boxes[i] = box;
       } else {
-        EXPECT_THROW(grid.move(handle, box), InvalidShape);
+        EXPECT_THROW(grid.move(handles[i], box), InvalidShape);
       }
     } else {
-      const std::uint32_t handle = any();
-      if (there[handle] != 0) grid.remove(handle);
-      there[handle] = 0;
-      EXPECT_THAT(text_of<InvalidShape>([&] { grid.remove(handle); }),
-                  HasSubstr("handle " + std::to_string(handle) + " is not in the grid"));
+      const std::uint32_t i = any();
+      if (there[i] != 0) grid.remove(handles[i]);
+      there[i] = 0;
+      EXPECT_THAT(text_of<InvalidShape>([&] { grid.remove(handles[i]); }),
+                  HasSubstr("handle (slot " + std::to_string(i) + ", generation " +
+                            std::to_string(handles[i].generation) + ") was removed"));
     }
     if (step % 20 == 19) {
       expect_pairs(grid, boxes, there, name(set, seed));
@@ -232,6 +247,14 @@ void expect_changes(Grid grid, Set set, std::size_t seed) {
   }
   EXPECT_EQ(grid.size(), static_cast<std::size_t>(std::count(there.begin(), there.end(), 1)));
   EXPECT_GT(grid.memory(), 0u);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    ASSERT_EQ(grid.contains(handles[i]), there[i] != 0);
+    if (there[i] == 0) continue;
+    ASSERT_EQ(grid.box(handles[i]), boxes[i]);
+    grid.remove(handles[i]);
+  }
+  EXPECT_TRUE(grid.overlapping_pairs().empty());
+  EXPECT_LE(grid.parts(), 1u);  // of an octree the root alone
 }
 
 /// A size of cells of which no box of the set reaches into too many.
@@ -249,12 +272,18 @@ Box world() {
 template <class Box>
 void expect_dynamic(Set set) {
   for (std::size_t seed = 0; seed < (battery::sanitized ? 1u : 3u); ++seed) {
-    expect_changes<HashedGrid<Box>, Box>(HashedGrid<Box>(size_for(set)), set, seed);
-    expect_changes<LinkedGrid<Box>, Box>(LinkedGrid<Box>(world<Box>(), 1), set, seed);
-    expect_changes<ImplicitGrid<Box>, Box>(ImplicitGrid<Box>(size_for(set), {.rows = seed == 0 ? 4u : 64u}), set, seed);
+    const double size = size_for(set);
+    expect_changes<HashedGrid<Box>, Box>(HashedGrid<Box>({.cell_size = size}), set, seed);
+    expect_changes<LinkedGrid<Box>, Box>(LinkedGrid<Box>({.world = world<Box>()}), set, seed);
+    expect_changes<ImplicitGrid<Box>, Box>(ImplicitGrid<Box>({.cell_size = size, .rows = seed == 0 ? 4u : 64u}), set,
+                                           seed);
     expect_changes<HierarchicalGrid<Box>, Box>(HierarchicalGrid<Box>(), set, seed);
     expect_changes<HierarchicalGrid<Box>, Box>(HierarchicalGrid<Box>({.least_level = 1}), set, seed);
     expect_changes<RowColumnGrid<Box>, Box>(RowColumnGrid<Box>({.rows = 16}), set, seed);
+    expect_changes<LooseCells<Box>, Box>(LooseCells<Box>({.world = world<Box>()}), set, seed);
+    using Lists = BoxStore<Box, BoxScheme::sweep_lists>;
+    const auto axis = static_cast<SweepAxis>(seed);
+    expect_changes<Lists, Box>(Lists({.lists = 1 + static_cast<int>(seed), .first_axis = axis}), set, seed);
     ASSERT_FALSE(::testing::Test::HasFailure()) << name(set, seed);
   }
 }
@@ -276,18 +305,20 @@ TEST(BoxGrids, TellTheSamePairsOnAnyNumberOfThreads) {
   }
   const StaticGrid3 grid(boxes);
   HierarchicalGrid3 levels;
-  ImplicitGrid3 bits(grid.cell_size());
+  ImplicitGrid3 bits({.cell_size = grid.cell_size()});
   RowColumnGrid3 rows;
-  HashedGrid3 hashed(grid.cell_size());
-  for (const Aabb3& b : boxes) levels.insert(b), bits.insert(b), rows.insert(b), hashed.insert(b);
+  HashedGrid3 hashed({.cell_size = grid.cell_size()});
+  LooseOctree tree({.world = world<Aabb3>()});
+  for (const Aabb3& b : boxes) levels.insert(b), bits.insert(b), rows.insert(b), hashed.insert(b), tree.insert(b);
   const std::vector<BoxPair> serial = grid.overlapping_pairs({.execution = Execution::serial});
   if (battery::reaches_rare) {
     EXPECT_GT(serial.size(), boxes.size() / 2);
   }
-  EXPECT_EQ(sorted(levels.overlapping_pairs()), sorted(serial));
-  EXPECT_EQ(sorted(hashed.overlapping_pairs()), sorted(serial));
-  EXPECT_EQ(bits.overlapping_pairs(), sorted(serial));
-  EXPECT_EQ(rows.overlapping_pairs(), sorted(serial));
+  EXPECT_EQ(sorted(by_number(levels.overlapping_pairs())), sorted(serial));
+  EXPECT_EQ(sorted(by_number(hashed.overlapping_pairs())), sorted(serial));
+  EXPECT_EQ(by_number(bits.overlapping_pairs()), sorted(serial));
+  EXPECT_EQ(by_number(rows.overlapping_pairs()), sorted(serial));
+  EXPECT_EQ(by_number(tree.overlapping_pairs()), sorted(serial));
   for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
     const ThreadLimit limit(threads);
     EXPECT_EQ(grid.overlapping_pairs(), serial);
@@ -299,10 +330,11 @@ TEST(BoxGrids, OfNothing) {
   const StaticGrid3 none{std::span<const Aabb3>()};
   EXPECT_TRUE(none.overlapping_pairs().empty());
   EXPECT_TRUE(none.in_box({{0, 0, 0}, {1, 1, 1}}).empty());
-  EXPECT_TRUE(HashedGrid2(1).overlapping_pairs().empty());
+  EXPECT_TRUE(HashedGrid2().overlapping_pairs().empty());
   EXPECT_TRUE(HierarchicalGrid2().in_box({{0, 0}, {1, 1}}).empty());
   EXPECT_TRUE(RowColumnGrid2().overlapping_pairs().empty());
-  EXPECT_TRUE(ImplicitGrid2(1).in_box({{0, 0}, {1, 1}}).empty());
+  EXPECT_TRUE(ImplicitGrid2().in_box({{0, 0}, {1, 1}}).empty());
+  EXPECT_TRUE(LooseQuadtree().overlapping_pairs().empty());
   EXPECT_EQ(choose_cell_size(std::span<const Aabb2>()).size, 1);
 }
 
@@ -321,8 +353,8 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   EXPECT_THAT(text_of<NonFinite>([&] { StaticGrid2{infinite}; }), HasSubstr("boxes[0].max.x is inf"));
   EXPECT_THAT(text_of<InvalidShape>([&] { (void)choose_cell_size(std::span(inverted)); }), HasSubstr("boxes[1]"));
 
-  HashedGrid2 grid(1, {.most_memory = 1 << 20});
-  const std::uint32_t first = grid.insert(boxes[0]);
+  HashedGrid2 grid({.most_memory = 1 << 20});
+  const BoxHandle first = grid.insert(boxes[0]);
   EXPECT_THAT(text_of<Error>([&] { grid.insert(boxes[1]); }), HasSubstr("options.most_memory is 1048576"));
   EXPECT_THAT(text_of<Error>([&] { grid.insert(boxes[1]); }),
               HasSubstr("HashedGrid::insert: the grid would take 24000048000120 bytes"));
@@ -331,42 +363,63 @@ TEST(BoxGrids, NameWhatIsWrongAndStayAsTheyWere) {
   EXPECT_THAT(text_of<NonFinite>([&] { grid.move(first, infinite[0]); }), HasSubstr("box.max.x is inf"));
   EXPECT_EQ(grid.size(), 1u);
   EXPECT_EQ(grid.box(first), boxes[0]);
-  EXPECT_EQ(grid.in_box(boxes[1]), std::vector<std::uint32_t>{first});
+  EXPECT_EQ(grid.in_box(boxes[1]), std::vector<BoxHandle>{first});
   EXPECT_TRUE(grid.in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
   EXPECT_TRUE(StaticGrid2(std::span(boxes).first(1)).in_box({{0.5, 0.75}, {0.75, 0.5}}).empty());
   EXPECT_THAT(text_of<NonFinite>([&] { (void)grid.in_box(infinite[0]); }), HasSubstr("in_box: box.max.x is inf"));
-  EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2(0.0); }), HasSubstr("HashedGrid: cell_size is not above zero"));
+  EXPECT_THAT(text_of<InvalidShape>([] { HashedGrid2({.cell_size = 0}); }),
+              HasSubstr("HashedGrid: cell_size is not above zero"));
   EXPECT_THAT(text_of<Error>([] {
-                LinkedGrid2({{0, 0}, {1e9, 1e9}}, 1);
+                LinkedGrid2({.world = {{0, 0}, {1e9, 1e9}}});
               }),
               HasSubstr("LinkedGrid: the grid would take"));
 
-  ImplicitGrid2 bits(1, {.most_memory = 5000});
+  ImplicitGrid2 bits({.most_memory = 5000});
   for (int i = 0; i < 64; ++i) bits.insert(boxes[0]);
   EXPECT_THAT(text_of<Error>([&] { bits.insert(boxes[0]); }), HasSubstr("choose fewer rows"));
   EXPECT_EQ(bits.overlapping_pairs().size(), 64u * 63 / 2);
-  EXPECT_THAT(text_of<InvalidShape>([] { ImplicitGrid2(1, {.rows = 3}); }), HasSubstr("options.rows is 3"));
+  EXPECT_THAT(text_of<InvalidShape>([] { ImplicitGrid2({.rows = 3}); }), HasSubstr("options.rows is 3"));
   EXPECT_THAT(text_of<InvalidShape>([] { RowColumnGrid2({.rows = 0}); }), HasSubstr("options.rows is 0"));
   EXPECT_THAT(text_of<InvalidShape>([] { HierarchicalGrid2({.least_level = 2000}); }),
               HasSubstr("least_level is 2000"));
+  EXPECT_THAT(text_of<InvalidShape>([&] { LooseQuadtree({.world = inverted[1]}); }),
+              HasSubstr("LooseOctree: world is empty"));
+  EXPECT_THAT(text_of<InvalidShape>([] { SweepLists({.lists = 4}); }), HasSubstr("SweepLists: options.lists is 4"));
+  EXPECT_THAT(text_of<InvalidShape>([] { SweepLists({.first_axis = SweepAxis::greatest_variance}); }),
+              HasSubstr("nobody knows"));
+  EXPECT_THAT(text_of<InvalidShape>([] {
+                (void)LooseQuadtree().box({7, 0});
+              }),
+              HasSubstr("LooseOctree::box: handle (slot 7, generation 0) names no box"));
 }
 
 /// Any range of sizes: a level for each that there is, none for what has gone.
 TEST(BoxGrids, HaveALevelForEachSize) {
   HierarchicalGrid3 grid;
   RowColumnGrid3 rows;
-  std::vector<std::uint32_t> handles;
+  std::vector<BoxHandle> handles;
   for (int e = -900; e <= 900; e += 100) {
     const double size = std::ldexp(1, e);
     handles.push_back(grid.insert({{0, 0, 0}, {size, size, size}}));
     rows.insert({{0, 0, 0}, {size, size, size}});
   }
-  EXPECT_EQ(grid.levels(), handles.size());
-  EXPECT_EQ(rows.levels(), handles.size());
+  EXPECT_EQ(grid.parts(), handles.size());
+  EXPECT_EQ(rows.parts(), handles.size());
   EXPECT_EQ(grid.overlapping_pairs().size(), handles.size() * (handles.size() - 1) / 2);
-  for (const std::uint32_t h : handles) grid.remove(h), rows.remove(h);
-  EXPECT_EQ(grid.levels(), 0u);
-  EXPECT_EQ(rows.levels(), 0u);
+  for (const BoxHandle& h : handles) grid.remove(h), rows.remove(h);
+  EXPECT_EQ(grid.parts(), 0u);
+  EXPECT_EQ(rows.parts(), 0u);
+}
+
+/// A box across the middle of the world is in a small cell nevertheless.
+TEST(BoxGrids, LooseTreesHaveSmallBoxesInSmallCells) {
+  const space::LooseTree<Aabb3> tree({"test", {}}, {.world = {{-1, -1, -1}, {1, 1, 1}}});
+  for (const double half : {0x1p-4, 0x1p-10, 0x1p-15}) {
+    const auto place = tree.place_of({{-half, -half, -half}, {half, half, half}});
+    const double side = std::ldexp(tree.frame().unit(), tree.level_of(place));
+    EXPECT_LE(side, 2 * half);
+    EXPECT_GE(side, half);
+  }
 }
 
 TEST(ChooseCellSize, IsAPowerOfTwoOfTheBoxesSizes) {

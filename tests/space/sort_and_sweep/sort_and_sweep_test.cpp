@@ -1,5 +1,5 @@
-// Does sorting and sweeping find what asking each pair finds: from scratch along any axis, with an order that is kept,
-// and by lists along one, two and three axes?
+// Does sorting and sweeping find what asking each pair finds: from scratch along any axis, and with an order that is
+// kept?
 #include "plumb/space/sort_and_sweep/sort_and_sweep.hpp"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,6 @@
 #include "plumb/arith/error.hpp"
 #include "plumb/space/pairs/brute_force_pairs.hpp"
 #include "plumb/space/sort_and_sweep/sweep_array.hpp"
-#include "plumb/space/sort_and_sweep/sweep_lists.hpp"
 #include "space/pairs/box_scenes.hpp"
 
 namespace plumb {
@@ -93,62 +92,6 @@ TEST(SweepArray, AnswersAsFromScratchInEveryFrame) {
   EXPECT_GT(kept, anew);
   EXPECT_GT(anew, 20u);
   EXPECT_GT(steps, 1000u);
-}
-
-TEST(SweepLists, AnswerAsBruteForceWhileBoxesComeGoAndMove) {
-  std::size_t pairs = 0;
-  for (int s = 0; s < scenes; ++s) {
-    for (int axes = 1; axes <= 3; ++axes) {
-      Entropy e(2063, static_cast<std::uint64_t>(s * 3 + axes));
-      const auto material = box_scenes::boxes_of(static_cast<Scene>(s), e, 80);
-      const bool touching = e.coin();
-      SweepLists lists({touching, axes, static_cast<SweepAxis>(e.below(3))});
-      std::vector<std::uint32_t> numbers;
-      for (std::size_t turn = 0; turn < battery::fitting(300u); ++turn) {
-        const std::uint64_t way = e.below(4);
-        const Aabb3& box = material[e.below(material.size())];
-        if (numbers.size() < 3 || (way == 0 && numbers.size() < 60)) {
-          numbers.push_back(lists.insert(box));
-        } else if (way == 1) {
-          const std::size_t i = e.below(numbers.size());
-          lists.remove(numbers[i]);
-          ASSERT_FALSE(lists.contains(numbers[i]));
-          numbers.erase(numbers.begin() + static_cast<std::ptrdiff_t>(i));
-        } else {
-          lists.move(numbers[e.below(numbers.size())], box);
-        }
-        if (turn % 8 != 0) continue;
-        std::vector<Aabb3> boxes;
-        std::sort(numbers.begin(), numbers.end());
-        // Moved by turns, so that what is where is known by number alone.
-        for (const std::uint32_t number : numbers) {
-          boxes.push_back(material[(number + turn) % material.size()]);
-          lists.move(number, boxes.back());
-        }
-        auto expected = brute_force_pairs(boxes, {.touching = touching});
-        for (BoxPair& p : expected) p = {numbers[p.a], numbers[p.b]};
-        ASSERT_EQ(lists.overlapping_pairs(), expected) << "scene " << s << ", axes " << axes << ", turn " << turn;
-        ASSERT_EQ(lists.size(), boxes.size());
-        pairs += expected.size();
-      }
-    }
-  }
-  if (battery::reaches_rare) {
-    EXPECT_GT(pairs, 10000u);
-  }
-}
-
-TEST(SweepLists, RefuseWhatIsNotThere) {
-  SweepLists lists;
-  const std::uint32_t a = lists.insert({{0, 0, 0}, {1, 1, 1}}), b = lists.insert({{1, 1, 1}, {2, 2, 2}});
-  EXPECT_THAT(text_of<InvalidShape>([&] { lists.move(a, {{0, 0, 0}, {1, 1, -1}}); }), HasSubstr("box is empty"));
-  EXPECT_THAT(text_of<InvalidShape>([&] { lists.remove(7); }), HasSubstr("there is no box 7"));
-  EXPECT_EQ(lists.overlapping_pairs(), (std::vector<BoxPair>{{a, b}}));
-  lists.remove(a);
-  EXPECT_THAT(text_of<InvalidShape>([&] { lists.remove(a); }), HasSubstr("there is no box 0"));
-  EXPECT_TRUE(lists.overlapping_pairs().empty());
-  EXPECT_EQ(lists.insert({{0, 0, 0}, {0, 0, 0}}), a);
-  EXPECT_THAT(text_of<InvalidShape>([] { SweepLists({.axes = 4}); }), HasSubstr("options.axes is 4"));
 }
 
 }  // namespace

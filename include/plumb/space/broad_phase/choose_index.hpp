@@ -4,13 +4,13 @@
 //   overlapping_pairs(boxes, {.method = choice.best().method});
 //   choose_index(boxes, {.moving_share = 0.1, .measure = true})     // of frames in which a tenth moves; run as well
 //
-// A method is taken from scratch each time, or its structure is kept from frame to frame and what moves is moved in it:
-// MovingBoxes (swept_columns), SweepArray (sort_and_sweep, in space), and the grids and the loose octree by their own
-// move, asked for all pairs afterwards.
+// A method is taken from scratch each time, or its structure is kept from frame to frame, in space, and what moves is
+// moved in it: MovingBoxes (swept_columns), SweepArray (sort_and_sweep).  The structures of textbook/box_store.hpp, which
+// are never the fastest, are no candidates.
 // Laws: (1) traits and predictions depend on the numbers of the boxes and on moving_share alone.  (2) A prediction is a
 // guess: sums of what was counted in a sample of 512 boxes, each times a cost that was measured once, on one machine
 // (src/space/broad_phase/index_costs.cpp says which).  No answer depends on it: every method finds the same pairs.
-// (3) costs ascend by what is predicted, and name each method once from scratch and at most once kept.
+// (3) costs ascend by what is predicted, and name each candidate once from scratch and at most once kept.
 // A prediction is within a half of what was measured as a rule, and one in ten is off by a factor of 2 to 7.
 // To let the automatic method choose needs none of this: it is the fastest as measured on machines like that one.
 // A moving_share that is not from 0 to 1 and empty boxes throw InvalidShape, NaN and infinity NonFinite.

@@ -29,7 +29,6 @@
 // comparisons for n boxes that come or move, n for in_box and first_hit.
 #pragma once
 
-#include <compare>
 #include <concepts>
 #include <cstdint>
 #include <memory>
@@ -42,17 +41,6 @@
 #include "plumb/space/pairs/box_pair.hpp"
 
 namespace plumb {
-
-struct BoxHandle {
-  std::uint32_t slot = 0xffffffff, generation = 0;
-  friend auto operator<=>(const BoxHandle&, const BoxHandle&) = default;
-};
-
-/// a.slot < b.slot.
-struct HandlePair {
-  BoxHandle a, b;
-  friend auto operator<=>(const HandlePair&, const HandlePair&) = default;
-};
 
 struct MovingBoxesOptions {
   bool touching = true;  // false: only the pairs that overlap

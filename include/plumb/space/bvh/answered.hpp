@@ -141,8 +141,8 @@ PLUMB_NO_ANSWER(std::vector<std::uint32_t>,
 within(PLUMB_ANYTHING) PLUMB_DELETED;
 
 PLUMB_NO_ANSWER(NearestPoint,
-                "plumb: nearest takes an index, of points (build_kd_tree), of figures (build_figure_tree), a batch or "
-                "a hybrid one, and then a point of its space: nearest(build_kd_tree(points), p)")
+                "plumb: nearest takes an index, of points (build_kd_tree), of figures (build_figure_tree) or a batch, "
+                "and then a point of its space: nearest(build_kd_tree(points), p)")
 nearest(PLUMB_ANYTHING) PLUMB_DELETED;
 
 }  // namespace plumb

@@ -20,6 +20,18 @@ struct BoxPair {
   friend auto operator<=>(const BoxPair&, const BoxPair&) = default;
 };
 
+/// Names one box of an index that boxes come to and go from, for ever: its slot is used again with another generation.
+struct BoxHandle {
+  std::uint32_t slot = 0xffffffff, generation = 0;
+  friend auto operator<=>(const BoxHandle&, const BoxHandle&) = default;
+};
+
+/// a.slot < b.slot.
+struct HandlePair {
+  BoxHandle a, b;
+  friend auto operator<=>(const HandlePair&, const HandlePair&) = default;
+};
+
 struct BoxPairOptions {
   bool touching = true;  // false: only the pairs that overlap
   Execution execution = Execution::parallel;

@@ -3,7 +3,7 @@
 //   const auto handle = insert(index, box);      move(index, handle, there);      remove(index, handle);
 //   in_box(index, box), overlapping_pairs(index), memory_of(index), first_hit(index, ray)
 //
-// Grids, loose octrees, SweepLists and MovingBoxes have them as members; what is built from a span (build_*) is asked by
+// BoxStore (grids, loose octrees, sorted lists) and MovingBoxes have them as members; what is built from a span (build_*) is asked by
 // functions of the same names, so that generic code asks any index.
 // Laws: those of the member, which is called with what is given.
 // Source: none.

@@ -1,11 +1,14 @@
-// Hierarchical grid: at which level is a box?  The one whose cells are just as large as it needs.
+// At which level of cells is a box?  The one whose cells are just as large as it needs; what grids of levels share.
+//
+// Source: RTCD 7.2.1.
 #pragma once
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-#include "plumb/space/grid/detail/cell_span.hpp"
+#include "space/textbook/level_join.hpp"
+#include "space/textbook/scheme.hpp"
 
 namespace plumb::space {
 
@@ -21,6 +24,7 @@ template <std::size_t n>
 struct PlaceInLevels {
   int level;
   CellSpan<n> span;  // no more than two cells along each axis
+  friend bool operator==(const PlaceInLevels&, const PlaceInLevels&) = default;
 };
 
 /// The lowest level, from a guess on, at which the box reaches into two cells at most on each axis, by the numbers of
@@ -46,6 +50,37 @@ PlaceInLevels<axes_of<Box>> place_in_levels(const Box& box, int at_least) {
     if (fits) return {level, span};
     ++level;
   }
+}
+
+template <class Box>
+class GridLevels {
+ public:
+  static constexpr std::size_t n = axes_of<Box>;
+
+  GridLevels(const AskedFunction& asked, int least) : least_(least) {
+    if (least <= most_level) return;
+    throw InvalidShape(asked.text() + ": options.least_level is " + std::to_string(least) +
+                       ", but it must not be above 1023");
+  }
+
+  [[nodiscard]] PlaceInLevels<n> place_in(const Box& box) const { return place_in_levels(box, least_); }
+  static int level_of(const auto& place) { return place.level; }
+  static RowNumber<n> row_of(const SweptBox<Box>& b, const auto&, int level) {
+    const double per_size = per_level_size(level);
+    RowNumber<n> row{cell_number(b.box.min.y, per_size)};
+    if constexpr (n == 3) row[1] = cell_number(b.box.min.z, per_size);
+    return row;
+  }
+
+ private:
+  int least_;
+};
+
+/// Of levels in ascending order, each with its number as `level`, the first that is not below.
+template <class Levels>
+auto level_at(Levels& levels, int level) {
+  return std::lower_bound(levels.begin(), levels.end(), level,
+                          [](const auto& l, int wanted) { return l.level < wanted; });
 }
 
 }  // namespace plumb::space

@@ -1,10 +1,9 @@
 // Hybrid schemes: a uniform grid whose crowded cells have an octree each, or a k-d tree whose crowded leaves have a
-// uniform grid each.  Which of many boxes are in a region, which two overlap, which are nearest to a point?
+// uniform grid each.  Which of many boxes are in a region, and which two overlap?
 //
 //   const GridOfTrees<Aabb3> world = build_grid_of_trees(boxes);
 //   const TreeOfGrids<Aabb3> detail = build_tree_of_grids(boxes);
 //   in_box(world, {{0, 0, 0}, {1, 1, 1}});  overlapping_pairs(detail, {.touching = false});
-//   nearest(world, p);  nearest(detail, p, 5, Ties::all);
 //
 // A grid finds a place without a search, and is slow where boxes crowd in a cell; a tree goes down to them level by
 // level.  In the first scheme a grid of large cells stands for the upper levels of trees, in the second grids stand for
@@ -13,14 +12,13 @@
 // overlapping_pairs the pairs of box_pair.hpp, each once, a < b: both schemes the same, whatever the options.  (2) A
 // box is in each cell that it reaches into, and so are two boxes in the cell that holds the lowest corner of what they
 // have in common: that one cell tells of them.  (3) Cells, trees and the order of pairs depend on the boxes and the
-// options alone, not on the number of threads.  (4) nearest answers as in nearest_figure.hpp.
+// options alone, not on the number of threads.
 // A number that is NaN or infinite throws NonFinite, an empty box, options out of range and more boxes than are
-// numbered InvalidShape, as do the nearest of no boxes, and a grid that would take more than
-// options.grid.most_memory Error.  To ask with an empty box tells nothing.
+// numbered InvalidShape, and a grid that would take more than options.grid.most_memory Error.  To ask with an empty box
+// tells nothing.
 // Source: RTCD 7.3.8; the lowest corner as in Dittrich and Seeger 2000.
-// Cost: that of its parts (docs/nearest.md); a box that reaches into many cells is kept in each.  nearest asks for
-// boxes in regions, each twice as large, until there are as many, and then for all that may be as near.  Bounded by n^2
-// comparisons for pairs, n for in_box and nearest.
+// Cost: that of its parts (docs/nearest.md); a box that reaches into many cells is kept in each.  Bounded by n^2
+// comparisons for pairs, n for in_box.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +26,6 @@
 #include <vector>
 
 #include "plumb/space/grid/static_grid.hpp"
-#include "plumb/space/kd_tree/nearest_figure.hpp"
 #include "plumb/space/kd_tree/split_tree.hpp"
 #include "plumb/space/octree/box_octree.hpp"
 
@@ -47,7 +44,6 @@ struct CrowdedParts {
 template <class Box>
 struct GridOfTrees {
   using Figure = Box;
-  using Point = typename FigureTree<Box>::Point;
 
   StaticGrid<Box> grid;
   CrowdedParts<BoxCells<space::axes_of<Box>>> crowded;
@@ -61,7 +57,6 @@ struct GridOfTrees {
 template <class Box>
 struct TreeOfGrids {
   using Figure = Box;
-  using Point = typename FigureTree<Box>::Point;
 
   SplitTree<Box> tree;
   std::vector<Box> cells;                 // of its leaves, half-open, infinite at the border
@@ -92,36 +87,20 @@ TreeOfGrids<Box> build_tree_of_grids(const std::vector<Box>& boxes, const Hybrid
   return build_tree_of_grids(std::span<const Box>(boxes), options);
 }
 
-template <class Box>
-std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box,
+template <class Index>
+concept HybridIndex = requires(const Index& index, std::size_t part) {
+  index.crowded.index_of;
+  index.items_in(part);
+};
+
+template <HybridIndex Index>
+std::vector<std::uint32_t> in_box(const Index& index, const typename Index::Figure& box,
                                   const InBoxOptions& options = {}, std::vector<std::uint32_t> rows = {});
-template <class Box>
-std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box,
-                                  const InBoxOptions& options = {}, std::vector<std::uint32_t> rows = {});
-
-template <class Box>
-std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>& index, const BoxPairOptions& options = {},
+template <HybridIndex Index>
+std::vector<BoxPair> overlapping_pairs(const Index& index, const BoxPairOptions& options = {},
                                        std::vector<BoxPair> rows = {});
-template <class Box>
-std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>& index, const BoxPairOptions& options = {},
-                                       std::vector<BoxPair> rows = {});
-
-template <class Box>
-NearestFigure nearest(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Point& p);
-template <class Box>
-NearestFigure nearest(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Point& p);
-/// The k nearest, nearest first.
-template <class Box>
-std::vector<NearestFigure> nearest(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Point& p,
-                                   std::size_t k, Ties ties = Ties::lowest, std::vector<NearestFigure> rows = {});
-template <class Box>
-std::vector<NearestFigure> nearest(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Point& p,
-                                   std::size_t k, Ties ties = Ties::lowest, std::vector<NearestFigure> rows = {});
-
 /// Bytes that its arrays take.
-template <class Box>
-std::size_t memory_of(const GridOfTrees<Box>& index);
-template <class Box>
-std::size_t memory_of(const TreeOfGrids<Box>& index);
+template <HybridIndex Index>
+std::size_t memory_of(const Index& index);
 
 }  // namespace plumb

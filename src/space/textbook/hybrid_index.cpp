@@ -1,4 +1,4 @@
-#include "plumb/space/kd_tree/hybrid_index.hpp"
+#include "plumb/space/textbook/hybrid_index.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -16,7 +16,7 @@
 #include "space/pairs/boxes_meet.hpp"
 
 namespace plumb {
-namespace space::kd {
+namespace space::hybrid {
 namespace {
 
 /// Where what two boxes have in common begins, where they meet.
@@ -167,18 +167,44 @@ void add_leaf_cells(const SplitTree<Box>& tree, std::uint32_t at, const Box& cel
   add_leaf_cells(tree, n.link, box_between(low, coordinates(cell.max)), cells);
 }
 
+/// act(part) of each that the box may meet.
+template <class Box, class Act>
+void for_parts_meeting(const GridOfTrees<Box>& index, const Box& box, const Act& act) {
+  for (const std::size_t cell : index.grid.cells_meeting(box)) act(cell);
+}
+template <class Box, class Act>
+void for_parts_meeting(const TreeOfGrids<Box>& index, const Box& box, const Act& act) {
+  kd::for_leaves_meeting(index.tree, box, act);
+}
+
+template <class Box>
+std::size_t memory_of_parts(const GridOfTrees<Box>& index) {
+  std::size_t bytes = index.grid.memory();
+  for (const auto& tree : index.crowded.indexes) {
+    bytes += sizeof(tree) + sizeof(Box) * tree.boxes.capacity() + sizeof(CellNode) * tree.cells.nodes.capacity() +
+             sizeof(std::uint32_t) * tree.cells.items.capacity();
+  }
+  return bytes;
+}
+template <class Box>
+std::size_t memory_of_parts(const TreeOfGrids<Box>& index) {
+  std::size_t bytes = memory_of(index.tree) + sizeof(Box) * index.cells.capacity();
+  for (const auto& grid : index.crowded.indexes) bytes += sizeof(grid) + grid.memory();
+  return bytes;
+}
+
 }  // namespace
-}  // namespace space::kd
+}  // namespace space::hybrid
 
 template <class Box>
 GridOfTrees<Box> build_grid_of_trees(std::span<const Box> boxes, const HybridOptions& options) {
   using namespace space;
-  kd::check_hybrid("build_grid_of_trees", boxes, options);
+  hybrid::check_hybrid("build_grid_of_trees", boxes, options);
   GridOptions grid = options.grid;
   if (!boxes.empty() && !grid.cell_size)
-    grid.cell_size = kd::size_of_parts("build_grid_of_trees", boxes, options.in_part);
+    grid.cell_size = hybrid::size_of_parts("build_grid_of_trees", boxes, options.in_part);
   GridOfTrees<Box> index{StaticGrid<Box>(boxes, grid), {}};
-  kd::index_crowded(index, options, [&](std::size_t cell) {
+  hybrid::index_crowded(index, options, [&](std::size_t cell) {
     std::vector<Box> inside;
     for (const std::uint32_t i : index.items_in(cell)) inside.push_back(boxes[i]);
     return octree_of(inside, {.most_in_leaf = 16, .rule = CellRule::every_leaf, .execution = Execution::serial});
@@ -190,87 +216,54 @@ template <class Box>
 TreeOfGrids<Box> build_tree_of_grids(std::span<const Box> boxes, const HybridOptions& options) {
   using namespace space;
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  kd::check_hybrid("build_tree_of_grids", boxes, options);
+  hybrid::check_hybrid("build_tree_of_grids", boxes, options);
   TreeOfGrids<Box> index;
   index.tree = build_split_tree(boxes, {.most_in_leaf = options.in_part, .execution = options.execution});
   index.cells.resize(index.parts());
   std::array<double, axes_of<Box>> low, high;
   low.fill(-infinite), high.fill(infinite);
-  if (!boxes.empty()) kd::add_leaf_cells(index.tree, 0, box_between(low, high), index.cells);
-  kd::index_crowded(index, options, [&](std::size_t leaf) {
+  if (!boxes.empty()) hybrid::add_leaf_cells(index.tree, 0, box_between(low, high), index.cells);
+  hybrid::index_crowded(index, options, [&](std::size_t leaf) {
     std::vector<Box> inside;
-    for (const std::uint32_t i : index.items_in(leaf)) inside.push_back(kd::part_in(index.cells[leaf], boxes[i]));
+    for (const std::uint32_t i : index.items_in(leaf)) inside.push_back(hybrid::part_in(index.cells[leaf], boxes[i]));
     return StaticGrid<Box>(inside, options.grid);
   });
   return index;
 }
 
-template <class Box>
-std::vector<std::uint32_t> in_box(const GridOfTrees<Box>& index, const typename GridOfTrees<Box>::Figure& box,
-                                  const InBoxOptions& options, std::vector<std::uint32_t> rows) {
+template <HybridIndex Index>
+std::vector<std::uint32_t> in_box(const Index& index, const typename Index::Figure& box, const InBoxOptions& options,
+                                  std::vector<std::uint32_t> rows) {
   query::require_figure("in_box", "box", box);
   rows.clear();
   if (is_empty(box)) return rows;
-  for (const std::size_t cell : index.grid.cells_meeting(box)) space::kd::add_in_part(index, cell, box, options, rows);
+  space::hybrid::for_parts_meeting(
+      index, box, [&](std::size_t part) { space::hybrid::add_in_part(index, part, box, options, rows); });
   std::sort(rows.begin(), rows.end());
   return rows;
 }
-
-template <class Box>
-std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>& index, const typename TreeOfGrids<Box>::Figure& box,
-                                  const InBoxOptions& options, std::vector<std::uint32_t> rows) {
-  query::require_figure("in_box", "box", box);
-  rows.clear();
-  if (is_empty(box)) return rows;
-  space::kd::for_leaves_meeting(index.tree, box,
-                                [&](std::size_t leaf) { space::kd::add_in_part(index, leaf, box, options, rows); });
-  std::sort(rows.begin(), rows.end());
-  return rows;
+template <HybridIndex Index>
+std::vector<BoxPair> overlapping_pairs(const Index& index, const BoxPairOptions& options, std::vector<BoxPair> rows) {
+  return space::hybrid::all_pairs(index, options, std::move(rows));
+}
+template <HybridIndex Index>
+std::size_t memory_of(const Index& index) {
+  return space::hybrid::memory_of_parts(index) + sizeof(std::uint32_t) * index.crowded.index_of.capacity();
 }
 
-template <class Box>
-std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>& index, const BoxPairOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return space::kd::all_pairs(index, options, std::move(rows));
-}
-template <class Box>
-std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>& index, const BoxPairOptions& options,
-                                       std::vector<BoxPair> rows) {
-  return space::kd::all_pairs(index, options, std::move(rows));
-}
-
-template <class Box>
-std::size_t memory_of(const GridOfTrees<Box>& index) {
-  std::size_t bytes = index.grid.memory() + sizeof(std::uint32_t) * index.crowded.index_of.capacity();
-  for (const auto& tree : index.crowded.indexes) {
-    bytes += sizeof(tree) + sizeof(Box) * tree.boxes.capacity() + sizeof(CellNode) * tree.cells.nodes.capacity() +
-             sizeof(std::uint32_t) * tree.cells.items.capacity();
-  }
-  return bytes;
-}
-template <class Box>
-std::size_t memory_of(const TreeOfGrids<Box>& index) {
-  std::size_t bytes = memory_of(index.tree) + sizeof(Box) * index.cells.capacity() +
-                      sizeof(std::uint32_t) * index.crowded.index_of.capacity();
-  for (const auto& grid : index.crowded.indexes) bytes += sizeof(grid) + grid.memory();
-  return bytes;
-}
-
-#define PLUMB_INSTANTIATE(Box)                                                                         \
-  template GridOfTrees<Box> build_grid_of_trees(std::span<const Box>, const HybridOptions&);           \
-  template TreeOfGrids<Box> build_tree_of_grids(std::span<const Box>, const HybridOptions&);           \
-  template std::vector<std::uint32_t> in_box(const GridOfTrees<Box>&, const GridOfTrees<Box>::Figure&, \
-                                             const InBoxOptions&, std::vector<std::uint32_t>);         \
-  template std::vector<std::uint32_t> in_box(const TreeOfGrids<Box>&, const TreeOfGrids<Box>::Figure&, \
-                                             const InBoxOptions&, std::vector<std::uint32_t>);         \
-  template std::vector<BoxPair> overlapping_pairs(const GridOfTrees<Box>&, const BoxPairOptions&,      \
-                                                  std::vector<BoxPair>);                               \
-  template std::vector<BoxPair> overlapping_pairs(const TreeOfGrids<Box>&, const BoxPairOptions&,      \
-                                                  std::vector<BoxPair>);                               \
-  template std::size_t memory_of(const GridOfTrees<Box>&);                                             \
-  template std::size_t memory_of(const TreeOfGrids<Box>&);
+#define PLUMB_INSTANTIATE_INDEX(Index)                                                                        \
+  template std::vector<std::uint32_t> in_box(const Index&, const Index::Figure&, const InBoxOptions&,         \
+                                             std::vector<std::uint32_t>);                                     \
+  template std::vector<BoxPair> overlapping_pairs(const Index&, const BoxPairOptions&, std::vector<BoxPair>); \
+  template std::size_t memory_of(const Index&);
+#define PLUMB_INSTANTIATE(Box)                                                               \
+  template GridOfTrees<Box> build_grid_of_trees(std::span<const Box>, const HybridOptions&); \
+  template TreeOfGrids<Box> build_tree_of_grids(std::span<const Box>, const HybridOptions&); \
+  PLUMB_INSTANTIATE_INDEX(GridOfTrees<Box>)                                                  \
+  PLUMB_INSTANTIATE_INDEX(TreeOfGrids<Box>)
 PLUMB_INSTANTIATE(Aabb2)
 PLUMB_INSTANTIATE(Aabb3)
 #undef PLUMB_INSTANTIATE
+#undef PLUMB_INSTANTIATE_INDEX
 
 }  // namespace plumb
