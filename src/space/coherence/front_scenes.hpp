@@ -8,7 +8,7 @@
 #include "plumb/space/coherence/pair_front.hpp"
 #include "space/bvh/parts.hpp"
 #include "space/pairs/leaf_pairs.hpp"
-#include "space/pairs/posed_leaf_pairs.hpp"
+#include "space/pairs/posed_slots.hpp"
 
 namespace plumb::space {
 
@@ -19,12 +19,13 @@ class StandingScene {
     explicit Leaves(const StandingScene& scene) : scene_(scene), pairs_(scene.a_, scene.b_, scene.is_own_) {}
     template <class Take>
     void operator()(NodePair pair, const Take& take) {
-      pairs_(scene_.a_.nodes[pair.a], scene_.b_.nodes[pair.b], take);
+      const BoxNode &a = scene_.a_.nodes[pair.a], &b = scene_.b_.nodes[pair.b];
+      pairs_(a, scene_.a_.box_of(a), b, scene_.b_.box_of(b), take);
     }
 
    private:
     const StandingScene& scene_;
-    LeafPairs<> pairs_;
+    LeafPairs<SlotMesh<Bvh>> pairs_;
   };
 
   StandingScene(const Bvh& a, const Bvh& b, bool is_own)
@@ -58,7 +59,7 @@ class MovedScene {
  public:
   class Leaves {
    public:
-    explicit Leaves(const MovedScene& scene) : scene_(scene), pairs_(scene.a_, scene.b_, scene.is_own_) {}
+    explicit Leaves(const MovedScene& scene) : scene_(scene), pairs_(scene.slots_a_, scene.slots_b_, scene.is_own_) {}
     template <class Take>
     void operator()(NodePair pair, const Take& take) {
       pairs_(scene_.nodes_a_[pair.a], scene_.box_a(pair.a), scene_.nodes_b_[pair.b], scene_.box_b(pair.b), take);
@@ -66,12 +67,18 @@ class MovedScene {
 
    private:
     const MovedScene& scene_;
-    PosedLeafPairs<> pairs_;
+    LeafPairs<PosedSlots<Bvh>> pairs_;
   };
 
   /// Of one mesh with itself its pose is to be singular: else it is the question without.
   MovedScene(const PosedMesh& a, const PosedMesh& b, bool is_own)
-      : a_(a), b_(b), is_own_(is_own), nodes_a_(a.bvh.tree.nodes.view()), nodes_b_(b.bvh.tree.nodes.view()) {}
+      : a_(a),
+        b_(b),
+        slots_a_(a),
+        slots_b_(b),
+        is_own_(is_own),
+        nodes_a_(a.bvh.tree.nodes.view()),
+        nodes_b_(b.bvh.tree.nodes.view()) {}
 
   [[nodiscard]] std::span<const BoxNode> nodes_a() const { return nodes_a_; }
   [[nodiscard]] std::span<const BoxNode> nodes_b() const { return nodes_b_; }
@@ -141,6 +148,7 @@ class MovedScene {
   }
 
   const PosedMesh &a_, &b_;
+  PosedSlots<Bvh> slots_a_, slots_b_;
   bool is_own_;
   std::span<const BoxNode> nodes_a_, nodes_b_;
   const NeededBoxes *needed_a_ = nullptr, *needed_b_ = nullptr;

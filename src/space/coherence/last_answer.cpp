@@ -9,7 +9,6 @@
 #include "space/pairs/pair_answers.hpp"
 #include "space/pairs/pair_search.hpp"
 #include "space/pairs/pair_sources.hpp"
-#include "space/pairs/posed_pair_search.hpp"
 #include "space/ray/hit_search.hpp"
 
 namespace plumb {
@@ -51,16 +50,15 @@ std::optional<TrianglePair> any_intersecting_pair(const BvhView& a, const BvhVie
                                                   const PairOptions& options) {
   constexpr const char* function = "any_intersecting_pair";
   return space::with_sources(function, a, b, [&]<class Source>(const Source& s, const Source& t) {
-    if constexpr (space::is_posed_source<Source>) {
-      const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) {
+    const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) {
+      if constexpr (space::is_posed_source<Source>) {
         return query::relate(s.triangle(i), t.triangle(k));
-      };
-      return space::any_pair_from(s.bvh, t.bvh, last, options, relate_slots,
-                                  space::PosedPairSearch(function, s, t, false, options));
-    } else {
-      const auto relate_slots = [&](std::uint32_t i, std::uint32_t k) { return relate(s.triangle(i), t.triangle(k)); };
-      return space::any_pair_from(s, t, last, options, relate_slots, space::PairSearch(function, s, t, false, options));
-    }
+      } else {
+        return relate(s.triangle(i), t.triangle(k));
+      }
+    };
+    return space::any_pair_from(space::mesh_of(s), space::mesh_of(t), last, options, relate_slots,
+                                space::PairSearch(function, s, t, false, options));
   });
 }
 

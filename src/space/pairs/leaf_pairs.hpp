@@ -3,7 +3,7 @@
 // Law: of all pairs of their slots exactly those whose triangles meet are told, each once; of a leaf with itself those
 // of two slots.
 // Source: RTCD 6.3.3, 5.2.10.
-// Cost: a comparison of boxes of doubles a pair, and relate for those whose boxes meet.
+// Cost: a box a slot, a comparison of boxes of doubles a pair, and relate for those whose boxes meet.
 #pragma once
 
 #include <utility>
@@ -61,6 +61,14 @@ struct SlotMesh : MeshParts<Mesh> {
     const Bvh::Corners& c = this->triangles[slot];
     return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
   }
+  [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return this->items[slot]; }
+  [[nodiscard]] Aabb3 box(std::uint32_t slot) const { return box_around(this->triangles[slot], vertices); }
+  [[nodiscard]] Relation relation(std::uint32_t slot, const SlotMesh& other, std::uint32_t slot_of_other) const {
+    return relate(triangle(slot), other.triangle(slot_of_other));
+  }
+  [[nodiscard]] Relation relation_in_mesh(std::uint32_t a, std::uint32_t b) const {
+    return relate_in_mesh(vertices, this->triangles[a], this->triangles[b]);
+  }
   /// In doubles, outside of the frame.
   [[nodiscard]] Aabb3 box_of(const BoxNode& n) const {
     if (frame.exponent() != 0) return frame.outside(n.box());
@@ -70,42 +78,40 @@ struct SlotMesh : MeshParts<Mesh> {
   BoxFrame frame;
 };
 
-/// Do the triangles of two slots meet?
-template <class Mesh>
+/// Do the triangles of two slots meet?  Of a SlotMesh or PosedSlots.
+template <class Slots>
 class JudgedPair {
  public:
-  JudgedPair(const SlotMesh<Mesh>& a, const SlotMesh<Mesh>& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+  JudgedPair(const Slots& a, const Slots& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
 
   /// take(TrianglePair, SlotPair) where they do; it may say Descent::stop.
   template <class Take>
   Descent operator()(SlotPair slots, const Take& take) const {
-    std::uint32_t item_a = a_.items[slots.a], item_b = b_.items[slots.b];
+    std::uint32_t item_a = a_.number(slots.a), item_b = b_.number(slots.b);
     if (is_own_ && item_a == item_b) return Descent::go_on;  // one triangle in two slots
-    const Relation relation = is_own_ ? relate_in_mesh(a_.vertices, a_.triangles[slots.a], b_.triangles[slots.b])
-                                      : relate(a_.triangle(slots.a), b_.triangle(slots.b));
+    const Relation relation = is_own_ ? a_.relation_in_mesh(slots.a, slots.b) : a_.relation(slots.a, b_, slots.b);
     if (relation == Relation::disjoint) return Descent::go_on;
     if (is_own_ && item_b < item_a) std::swap(item_a, item_b);
     return take(TrianglePair{item_a, item_b, relation}, slots);
   }
 
  private:
-  const SlotMesh<Mesh>&a_, &b_;
+  const Slots &a_, &b_;
   bool is_own_;
 };
 
 /// What a search asks of two leaves: which slots' triangles meet.
-template <class Mesh = Bvh>
+template <class Slots>
 class LeafPairs {
  public:
-  LeafPairs(const SlotMesh<Mesh>& a, const SlotMesh<Mesh>& b, bool is_own)
-      : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
+  LeafPairs(const Slots& a, const Slots& b, bool is_own) : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
 
-  /// take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
-  template <class Take>
-  Descent operator()(const BoxNode& leaf_a, const BoxNode& leaf_b, const Take& take) {
-    boxes_a_.read(a_, leaf_a, b_.box_of(leaf_b));
+  /// Of leaves in such boxes: take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
+  template <class Node, class Take>
+  Descent operator()(const Node& leaf_a, const Aabb3& box_a, const Node& leaf_b, const Aabb3& box_b, const Take& take) {
+    boxes_a_.read(a_, leaf_a, box_b);
     if (boxes_a_.n == 0) return Descent::go_on;
-    boxes_b_.read(b_, leaf_b, a_.box_of(leaf_a));
+    boxes_b_.read(b_, leaf_b, box_a);
     const bool same_leaf = is_own_ && leaf_a.link == leaf_b.link;
     for (std::size_t i = 0; i < boxes_a_.n; ++i) {
       for (std::size_t k = same_leaf ? i + 1 : 0; k < boxes_b_.n; ++k) {
@@ -119,14 +125,15 @@ class LeafPairs {
  private:
   /// A leaf's triangles whose boxes meet that of the other leaf.
   struct LeafBoxes {
-    void read(const SlotMesh<Mesh>& mesh, const BoxNode& leaf, const Aabb3& other) {
+    template <class Node>
+    void read(const Slots& slots, const Node& leaf, const Aabb3& other) {
       n = 0;
       if (box.size() <= leaf.count) {  // a leaf of a file may have any number
         box.resize(leaf.count + std::size_t{1});
         slot.resize(leaf.count + std::size_t{1});
       }
       for (std::uint32_t s = leaf.link; s < leaf.link + leaf.count; ++s) {
-        box[n] = box_around(mesh.triangles[s], mesh.vertices);
+        box[n] = slots.box(s);
         slot[n] = s;
         n += boxes_meet(box[n], other) ? 1 : 0;
       }
@@ -136,9 +143,9 @@ class LeafPairs {
     std::vector<std::uint32_t> slot;
   };
 
-  const SlotMesh<Mesh>&a_, &b_;
+  const Slots &a_, &b_;
   bool is_own_;
-  JudgedPair<Mesh> judge_;
+  JudgedPair<Slots> judge_;
   LeafBoxes boxes_a_, boxes_b_;
 };
 

@@ -8,20 +8,10 @@
 #include "space/pairs/pair_search.hpp"
 #include "space/pairs/pair_slots.hpp"
 #include "space/pairs/pair_sources.hpp"
-#include "space/pairs/posed_pair_search.hpp"
 
 namespace plumb {
 namespace space {
 namespace {
-
-template <class Source>
-auto search_of(const char* function, const Source& a, const Source& b, bool own, const PairOptions& options) {
-  if constexpr (is_posed_source<Source>) {
-    return PosedPairSearch(function, a, b, own, options);
-  } else {
-    return PairSearch(function, a, b, own, options);
-  }
-}
 
 Intersection3 common(const Triangle3& a, const Triangle3& b) { return intersection(a, b); }
 Intersection3 common(const PosedTriangle& a, const PosedTriangle& b) { return query::intersection(a, b); }
@@ -54,18 +44,18 @@ auto asked_of_one(const char* function, const MeshView& mesh, const Ask& ask) {
 
 auto all_of(const char* function, const PairOptions& options, std::vector<TrianglePair>& rows) {
   return [=, &options, &rows](const auto& a, const auto& b, bool own) {
-    return all_pairs(search_of(function, a, b, own, options), mesh_of(a).slots(), options.execution, std::move(rows));
+    return all_pairs(PairSearch(function, a, b, own, options), mesh_of(a).slots(), options.execution, std::move(rows));
   };
 }
 auto count_of(const char* function, const PairOptions& options) {
   return [=, &options](const auto& a, const auto& b, bool own) {
-    return counted_pairs(search_of(function, a, b, own, options), is_split(mesh_of(a)) || is_split(mesh_of(b)),
+    return counted_pairs(PairSearch(function, a, b, own, options), is_split(mesh_of(a)) || is_split(mesh_of(b)),
                          options.execution);
   };
 }
 auto any_of(const char* function, const PairOptions& options) {
   return [=, &options](const auto& a, const auto& b, bool own) {
-    return any_pair(search_of(function, a, b, own, options));
+    return any_pair(PairSearch(function, a, b, own, options));
   };
 }
 

@@ -145,7 +145,7 @@ class WideLeafPairs {
 
   const SlotMesh<Bvh>&a_, &b_;
   bool is_own_;
-  JudgedPair<Bvh> judge_;
+  JudgedPair<SlotMesh<Bvh>> judge_;
   Kept kept_a_;
   std::array<Kept, 8> kept_b_;  // by the child that the leaf is
 };
