@@ -28,6 +28,7 @@
 #include "plumb/surface/solid/boolean.hpp"               // union, intersection, difference, exactly
 #include "plumb/surface/solid/evaluate.hpp"              // CSG trees of meshes and flat-sided figures as meshes
 #include "plumb/surface/solid/exact_mesh.hpp"            // what these make
+#include "plumb/surface/solid/intersection_curves.hpp"   // where two surfaces meet
 #include "plumb/surface/solid/merge_pieces.hpp"          // coplanar pieces of what these make, as polygons
 #include "plumb/surface/solid/round.hpp"                 // its doubles, sound or not
 #include "plumb/surface/solid/split.hpp"                 // its parts on two sides of a plane

@@ -221,17 +221,23 @@ auto seen(const Located<Base, Offset, Weight, 3>& p) {
   return Located{std::array{p.base[Right], p.base[Up]}, std::array{p.offset[Right], p.offset[Up]}, p.weight};
 }
 template <std::size_t Right, std::size_t Up>
-bool is_straight(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
+Sign turn_of_shadows(const char* question, const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
   const auto turn = [](const auto& p, const auto& q, const auto& r) {
     return predicates::HomogeneousOrient2d{}(seen<Right, Up>(p), seen<Right, Up>(q), seen<Right, Up>(r));
   };
-  return sign_at<3>("collinear", turn, a, b, c) == Sign::zero;
+  return sign_at<3>(question, turn, a, b, c);
 }
 
 }  // namespace
 
 Sign exact_order(const ExactPoint2& a, const ExactPoint2& b) { return exact_order<2>("compare_xy", a, b); }
 Sign exact_order(const ExactPoint3& a, const ExactPoint3& b) { return exact_order<3>("compare_xyz", a, b); }
+
+Sign turn_along(int axis, const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
+  return axis == 2   ? turn_of_shadows<0, 1>("turn_along", a, b, c)
+         : axis == 0 ? turn_of_shadows<1, 2>("turn_along", a, b, c)
+                     : turn_of_shadows<2, 0>("turn_along", a, b, c);
+}
 
 }  // namespace certify
 
@@ -263,8 +269,9 @@ Sign orient3d(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c, 
 }
 
 bool collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c) {
-  return certify::is_straight<0, 1>(a, b, c) && certify::is_straight<1, 2>(a, b, c) &&
-         certify::is_straight<2, 0>(a, b, c);
+  return certify::turn_of_shadows<0, 1>("collinear", a, b, c) == Sign::zero &&
+         certify::turn_of_shadows<1, 2>("collinear", a, b, c) == Sign::zero &&
+         certify::turn_of_shadows<2, 0>("collinear", a, b, c) == Sign::zero;
 }
 
 }  // namespace plumb

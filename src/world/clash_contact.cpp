@@ -256,8 +256,7 @@ class CutContact {
   }
 
   [[nodiscard]] surface::LineFromFacet line_from(std::uint32_t f) const {
-    const auto& [a, b, c] = list_.facets[f];
-    return {{table_.point(a), table_.point(b), table_.point(c)}, list_.plane_of_facet(f, table_)};
+    return {table_.points(), list_.facets[f], list_.plane_of_facet(f)};
   }
 
   /// Of the part around what the line starts in.

@@ -123,6 +123,13 @@ std::size_t hash_value(const ExactPoint3& a);
 Sign orient2d(const ExactPoint2& a, const ExactPoint2& b, const ExactPoint2& c);
 Sign orient3d(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c, const ExactPoint3& d);
 
+namespace certify {
+
+/// The turn of the points' shadows along the axis, 0, 1 or 2: of (y, z), (z, x) or (x, y).
+Sign turn_along(int axis, const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c);
+
+}  // namespace certify
+
 /// Do the points lie on one line?
 bool collinear(const ExactPoint3& a, const ExactPoint3& b, const ExactPoint3& c);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plumb/space/bvh/build.hpp"
+#include "surface/solid/arranged.hpp"
 #include "surface/solid/facet_list.hpp"
 #include "surface/solid/joined_faces.hpp"
 #include "surface/solid/sort_by_first.hpp"
@@ -65,11 +66,10 @@ void add_sources(const FacePool& pool, std::span<const surface::CoveringFace> co
 
 }  // namespace
 
-Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces) {
-  FacePool pool = surface::pool_faces(meshes);
+Arrangement surface::arranged(FacePool pool, Pieces pieces) {
   if (pieces == Pieces::of_polygons) pool = surface::join_coplanar_faces(std::move(pool));
   const Bvh bvh = build_bvh(pool.mesh);
-  PointTable table(pool.mesh.vertices);
+  PointTable table(pool.points());
   const FacetList list = surface::divide_planes(pool, table, surface::find_plane_classes(pool, bvh, table));
   const SideSets sets = surface::join_sides(list, table);
   Arrangement made;
@@ -107,6 +107,18 @@ Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces) {
     add_sources(pool, list.covers_of(f), made);
   }
   return made;
+}
+
+Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces) {
+  return surface::arranged(surface::pool_faces(meshes), pieces);
+}
+Arrangement arrange(std::span<const TriangleMesh> solids, std::span<const TriangleMesh> sheets) {
+  std::vector<const TriangleMesh*> all = surface::each_of(solids);
+  for (const TriangleMesh& sheet : sheets) all.push_back(&sheet);
+  return surface::arranged(surface::pool_faces(all, static_cast<std::uint32_t>(sheets.size())), Pieces::of_triangles);
+}
+Arrangement arrange(std::span<const ExactMesh> meshes, Pieces pieces) {
+  return surface::arranged(surface::pool_faces(surface::each_of(meshes)), pieces);
 }
 
 }  // namespace plumb

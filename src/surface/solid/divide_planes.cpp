@@ -20,7 +20,7 @@ FacetList divide_planes(const FacePool& pool, PointTable& table, const PlaneClas
     add(pool.mesh.triangles[face], none, {&by, 1});
   }
   for (const PlaneClass& of : classes.cut) {
-    const PlaneView view(pool.points_of(of.faces.front()));
+    const PlaneView view(pool.points(), pool.mesh.triangles[of.faces.front()]);
     const auto plane = static_cast<std::uint32_t>(list.planes.size());
     list.planes.push_back(view.plane());
     for (const PlanePiece& piece : divide_plane(pool, table, of, view)) add(piece.corners, plane, piece.covers);

@@ -73,7 +73,7 @@ std::uint32_t SeenPoints::add(std::uint32_t number_in_table) {
   const auto [at, is_new] = known_.try_emplace(number_in_table, static_cast<std::uint32_t>(seen_.size()));
   if (is_new) {
     numbers_.push_back(number_in_table);
-    seen_.push_back(view_.seen(table_.point(number_in_table)));
+    seen_.push_back(view_.seen(table_.points().at(number_in_table)));
   }
   return at->second;
 }

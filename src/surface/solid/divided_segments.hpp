@@ -27,7 +27,7 @@ class SeenPoints {
   [[nodiscard]] std::size_t size() const { return seen_.size(); }
   [[nodiscard]] std::uint32_t number_in_table(std::uint32_t i) const { return numbers_[i]; }
   [[nodiscard]] const ExactPoint2& seen(std::uint32_t i) const { return seen_[i]; }
-  [[nodiscard]] ExactPoint3 point(std::uint32_t i) const { return table_.point(numbers_[i]); }
+  [[nodiscard]] HeldPoint point(std::uint32_t i) const { return table_.points().at(numbers_[i]); }
 
  private:
   PointTable& table_;

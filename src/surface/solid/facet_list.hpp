@@ -21,10 +21,8 @@ struct FacetList {
   std::vector<CoveringFace> covers;
   std::vector<std::uint32_t> first_cover{0};
 
-  [[nodiscard]] TurnedPlane plane_of_facet(std::size_t facet, const PointTable& table) const {
-    if (plane_of[facet] != none) return planes[plane_of[facet]];
-    const auto& [a, b, c] = facets[facet];
-    return {{table.given(a), table.given(b), table.given(c)}};
+  [[nodiscard]] TurnedPlane plane_of_facet(std::size_t facet) const {
+    return plane_of[facet] != none ? planes[plane_of[facet]] : TurnedPlane{facets[facet]};
   }
   [[nodiscard]] std::span<const CoveringFace> covers_of(std::size_t facet) const {
     return std::span(covers).subspan(first_cover[facet], first_cover[facet + 1] - first_cover[facet]);

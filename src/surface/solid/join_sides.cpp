@@ -38,7 +38,7 @@ std::vector<FacetAtEdge> facets_at_edges(const FacetList& list, const PointTable
 class TurnAboutEdge {
  public:
   TurnAboutEdge(const FacetList& list, const PointTable& table, const FacetAtEdge& from)
-      : list_(list), table_(table), from_(from) {}
+      : list_(list), points_(table.points()), from_(from) {}
 
   [[nodiscard]] bool before(const FacetAtEdge& l, const FacetAtEdge& r) const {
     const int of_l = quarter(l), of_r = quarter(r);
@@ -56,14 +56,12 @@ class TurnAboutEdge {
   [[nodiscard]] Sign ahead(const FacetAtEdge& of, const FacetAtEdge& f) const {
     const std::uint32_t plane = list_.plane_of[of.facet];
     if (plane != none && plane == list_.plane_of[f.facet]) return Sign::zero;
-    const TurnedPlane of_facet = list_.plane_of_facet(of.facet, table_);
-    const Sign side =
-        table_.is_given(f.apex) ? of_facet.side(table_.given(f.apex)) : of_facet.side(table_.point(f.apex));
+    const Sign side = list_.plane_of_facet(of.facet).side(points_, f.apex);
     return of.forward ? side : -side;
   }
 
   const FacetList& list_;
-  const PointTable& table_;
+  NumberedPoints points_;
   FacetAtEdge from_;
 };
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
-#include "plumb/predicates.hpp"
 #include "plumb/surface/topology/adjacency.hpp"
-#include "surface/solid/plane_view.hpp"
 #include "surface/solid/wound_triangles.hpp"
 #include "surface/topology/region_rings.hpp"
 
@@ -93,19 +92,18 @@ class FaceJoiner {
     int axis;
   };
 
-  [[nodiscard]] const Point3& point(std::uint32_t v) const { return pool_.mesh.vertices[all_.number_in_pool[v]]; }
-  [[nodiscard]] std::array<Point3, 3> points_of(std::uint32_t t) const {
+  [[nodiscard]] TriangleMesh::Triangle in_pool(std::uint32_t t) const {
     const auto& [a, b, c] = all_.mesh.triangles[t];
-    return {point(a), point(b), point(c)};
+    return {all_.number_in_pool[a], all_.number_in_pool[b], all_.number_in_pool[c]};
   }
   [[nodiscard]] Sign turn_along(std::uint32_t t, int axis) const {
-    const auto [a, b, c] = points_of(t);
-    return orient2d(shadow(a, axis), shadow(b, axis), shadow(c, axis));
+    const auto [a, b, c] = in_pool(t);
+    return points_.turn_along(axis, a, b, c);
   }
 
   void grow(std::uint32_t seed) {
     Grown grown{{seed}, {}, -1};
-    const auto [a, b, c] = points_of(seed);
+    const auto [a, b, c] = in_pool(seed);
     Sign turn = Sign::zero;
     polygon_[seed] = polygons_++;
     for (std::size_t i = 0; i < grown.triangles.size(); ++i) {
@@ -113,10 +111,10 @@ class FaceJoiner {
         const std::uint32_t beyond = twin_[h];
         if (beyond == no_half_edge || polygon_[beyond / 3] != none) continue;
         const std::uint32_t third = all_.mesh.triangles[beyond / 3][previous_half_edge(beyond) % 3];
-        if (orient3d(a, b, c, point(third)) != Sign::zero) continue;
+        if (points_.orient(a, b, c, all_.number_in_pool[third]) != Sign::zero) continue;
         if (all_.faces[beyond / 3].times != all_.faces[seed].times) continue;
         if (turn == Sign::zero) {
-          for (const int axis : guessed_axes({a, b, c})) {
+          for (const int axis : guessed_axes({points_.nearest(a), points_.nearest(b), points_.nearest(c)})) {
             grown.axis = axis;
             turn = turn_along(seed, axis);
             if (turn != Sign::zero) break;
@@ -137,12 +135,11 @@ class FaceJoiner {
     grown_.push_back(std::move(grown));
   }
 
-  /// The order of numbers in the pool is that of points along a line.
   [[nodiscard]] bool is_straight(std::uint32_t v) const {
     return beside_.is_straight(v, [this](std::uint32_t a, std::uint32_t p, std::uint32_t b) {
       const auto& number = all_.number_in_pool;
-      return std::min(number[a], number[b]) < number[p] && number[p] < std::max(number[a], number[b]) &&
-             collinear(point(a), point(p), point(b));
+      return points_.order(number[a], number[p]) == points_.order(number[p], number[b]) &&
+             points_.is_straight(number[a], number[p], number[b]);
     });
   }
 
@@ -169,18 +166,14 @@ class FaceJoiner {
     // As the pool's numbers ascend, whatever the order of meshes.
     std::ranges::sort(vertices, {}, [this](std::uint32_t v) { return all_.number_in_pool[v]; });
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    std::vector<Point2> seen;
-    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-      seen.push_back(shadow(point(vertices[i]), polygon.axis));
-      place_[vertices[i]] = i;
-    }
-    std::vector<std::array<std::uint32_t, 2>> edges;
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) place_[vertices[i]] = i;
+    Edges edges;
     for (Numbers ring : polygon.rings) {
       std::erase_if(ring, [this](std::uint32_t v) { return !stays_[v]; });
       for (std::size_t i = 0; i < ring.size(); ++i)
         edges.push_back({place_[ring[i]], place_[ring[(i + 1) % ring.size()]]});
     }
-    const auto wound = wound_triangles(std::span<const Point2>(seen), edges);
+    const auto wound = wound_around(vertices, edges, polygon.axis);
     if (!wound || wound->size() >= polygon.triangles.size()) return false;
     FaceOfMesh face = all_.faces[polygon.triangles[0]];
     for (const std::uint32_t t : polygon.triangles) face.source = std::min(face.source, all_.faces[t].source);
@@ -189,7 +182,22 @@ class FaceJoiner {
     return is_joined_ = true;
   }
 
+  using Edges = std::vector<std::array<std::uint32_t, 2>>;
+
+  [[nodiscard]] std::optional<std::vector<WoundTriangle>> wound_around(const Numbers& vertices, const Edges& edges,
+                                                                       int axis) const {
+    if (std::ranges::all_of(vertices, [this](std::uint32_t v) { return points_.is_given(all_.number_in_pool[v]); })) {
+      std::vector<Point2> seen;
+      for (const std::uint32_t v : vertices) seen.push_back(shadow(points_.given[all_.number_in_pool[v]], axis));
+      return wound_triangles(std::span<const Point2>(seen), edges);
+    }
+    std::vector<ExactPoint2> seen;
+    for (const std::uint32_t v : vertices) seen.push_back(shadow(points_.at(all_.number_in_pool[v]), axis));
+    return wound_triangles(std::span<const ExactPoint2>(seen), edges);
+  }
+
   const FacePool& pool_;
+  NumberedPoints points_ = pool_.points();
   SeparateFaces all_;
   Numbers twin_, polygon_;      // of half-edges, of triangles
   std::uint32_t polygons_ = 0;  // also those that are one triangle
@@ -210,7 +218,9 @@ FacePool join_coplanar_faces(FacePool pool) {
   if (joined.empty()) return pool;
   FacePool made;
   made.meshes = pool.meshes;
+  made.sheets = pool.sheets;
   made.mesh.vertices = std::move(pool.mesh.vertices);
+  made.held = std::move(pool.held);
   add_faces(made, std::move(joined));
   return made;
 }

@@ -15,7 +15,7 @@ namespace plumb::surface {
 class LineFromFacet {
  public:
   /// The plane is that of the corners.
-  LineFromFacet(const std::array<ExactPoint3, 3>& corners, const TurnedPlane& plane);
+  LineFromFacet(const NumberedPoints& points, const TriangleMesh::Triangle& corners, const TurnedPlane& plane);
 
   /// Or below the facet.
   [[nodiscard]] bool starts_above() const { return moved_ == Sign::positive; }
@@ -23,8 +23,12 @@ class LineFromFacet {
   [[nodiscard]] Aabb3 box() const;
   /// What a triangle adds to the winding number of what the line starts in: 1, 0 or -1.
   [[nodiscard]] int winding_of(const std::array<Point3, 3>& triangle) const;
+  [[nodiscard]] int winding_of(const NumberedPoints& points, const TriangleMesh::Triangle& corners) const;
 
  private:
+  template <class Point>
+  [[nodiscard]] int winding_where_passed(Sign turn, const std::array<Point, 3>& triangle) const;
+
   ExactPoint3 from_;
   ExactPoint2 seen_;
   Sign normal_x_, moved_;

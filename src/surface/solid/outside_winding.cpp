@@ -9,14 +9,14 @@ OutsideWinding::OutsideWinding(const FacePool& pool, const Bvh& bvh, const Facet
     : pool_(pool), bvh_(bvh), list_(list), table_(table) {}
 
 WindingBeside OutsideWinding::beside(std::uint32_t facet) const {
-  const auto& [a, b, c] = list_.facets[facet];
-  const LineFromFacet line({table_.point(a), table_.point(b), table_.point(c)}, list_.plane_of_facet(facet, table_));
+  const NumberedPoints points = table_.points();
+  const LineFromFacet line(points, list_.facets[facet], list_.plane_of_facet(facet));
   WindingBeside found{line.starts_above(), std::vector<std::int32_t>(pool_.meshes)};
   for (const std::uint32_t face : meeting(bvh_, line.box())) {
-    const int winding = line.winding_of(pool_.points_of(face));
+    const int winding = line.winding_of(points, pool_.mesh.triangles[face]);
     if (winding == 0) continue;
     for (const FacetSource& use : pool_.uses_of(face))
-      found.windings[use.face.mesh] += use.opposite ? -winding : winding;
+      if (!pool_.is_sheet(use.face.mesh)) found.windings[use.face.mesh] += use.opposite ? -winding : winding;
   }
   return found;
 }

@@ -43,8 +43,8 @@ class PlaneDivider {
 
  private:
   [[nodiscard]] bool is_from_above(std::uint32_t face) const {
-    const auto& [a, b, c] = pool_.points_of(face);
-    return orient2d(view_.seen(a), view_.seen(b), view_.seen(c)) == Sign::positive;
+    const auto& [a, b, c] = pool_.mesh.triangles[face];
+    return pool_.points().turn_along(view_.axis(), a, b, c) == Sign::positive;
   }
 
   // Edges and chords, each once from its smaller number on, then points.

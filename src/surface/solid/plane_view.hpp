@@ -8,27 +8,28 @@
 
 #include <array>
 
-#include "plumb/certify/exact_point.hpp"
+#include "plumb/figure/basic/mesh.hpp"
+#include "surface/solid/numbered_points.hpp"
 
 namespace plumb::surface {
 
-/// Seen from above the points turn counterclockwise; they are not on one line.
+/// Seen from above the points with these numbers turn counterclockwise; they are not on one line.
 struct TurnedPlane {
-  std::array<Point3, 3> points;
+  TriangleMesh::Triangle corners;
 
   /// Positive above the plane.
-  [[nodiscard]] Sign side(const ExactPoint3& p) const;
-  [[nodiscard]] Sign side(const Point3& p) const;
+  [[nodiscard]] Sign side(const NumberedPoints& points, std::uint32_t p) const;
   /// The signs of the upward normal's coordinates.
-  [[nodiscard]] std::array<Sign, 3> normal_signs() const;
+  [[nodiscard]] std::array<Sign, 3> normal_signs(const NumberedPoints& points) const;
 };
 
 class PlaneView {
  public:
-  /// The points are not on one line.
-  explicit PlaneView(const std::array<Point3, 3>& points);
+  /// The corners are not on one line.
+  PlaneView(const NumberedPoints& points, const TriangleMesh::Triangle& corners);
 
   [[nodiscard]] const TurnedPlane& plane() const { return plane_; }
+  [[nodiscard]] int axis() const { return axis_; }
 
   [[nodiscard]] ExactPoint2 seen(const ExactPoint3& p) const;
   /// The axis of space that the first and the second axis of what is seen is.
@@ -38,12 +39,5 @@ class PlaneView {
   TurnedPlane plane_;
   int axis_ = 2;
 };
-
-/// The point's shadow along the axis: (x, y), (y, z) or (z, x).
-Point2 shadow(const Point3& p, int axis);
-ExactPoint2 shadow(const ExactPoint3& p, int axis);
-
-/// Three axes, first the one along which doubles tell the largest area.
-std::array<int, 3> guessed_axes(const std::array<Point3, 3>& points);
 
 }  // namespace plumb::surface

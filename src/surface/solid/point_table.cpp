@@ -11,14 +11,26 @@ namespace plumb::surface {
 
 ExactPoint3 in_plain_form(const ExactPoint3& p) {
   if (const auto* given = std::get_if<Point3>(&p.as())) return Point3{given->x + 0.0, given->y + 0.0, given->z + 0.0};
-  RationalPoint3 exact = rational_point(p);
   const Point3 nearest = approximate(p);
+  if (std::holds_alternative<RationalPoint3>(p.as())) {  // of which it is known now which coordinates are doubles
+    const auto& known = p.cache();
+    if (known.is_exact(0) && known.is_exact(1) && known.is_exact(2))
+      return Point3{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
+    return p;
+  }
+  RationalPoint3 exact = rational_point(p);
   const std::array<bool, 3> is_double{exact.x == Rational(nearest.x), exact.y == Rational(nearest.y),
                                       exact.z == Rational(nearest.z)};
   if (is_double[0] && is_double[1] && is_double[2]) return Point3{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
   ExactPoint3 plain(std::move(exact));
   plain.cache().keep({nearest.x, nearest.y, nearest.z}, is_double);  // so that its copies have them
   return plain;
+}
+
+PointTable::PointTable(const NumberedPoints& points)
+    : given_(points.given), made_(points.held.begin(), points.held.end()) {
+  for (std::uint32_t i = 0; i < made_.size(); ++i)
+    number_.emplace(made_[i], static_cast<std::uint32_t>(given_.size()) + i);
 }
 
 std::uint32_t PointTable::given_number(const Point3& p) const {

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "plumb/certify/exact_point.hpp"
+#include "surface/solid/numbered_points.hpp"
 
 namespace plumb::surface {
 
@@ -19,15 +19,16 @@ ExactPoint3 in_plain_form(const ExactPoint3& p);
 
 class PointTable {
  public:
-  /// The points ascend, no two of them equal, and outlive this.
+  /// Points as given ascend, no two are equal, and they outlive this.
   explicit PointTable(std::span<const Point3> given) : given_(given) {}
+  /// Then come such as no doubles hold.
+  explicit PointTable(const NumberedPoints& points);
 
+  [[nodiscard]] NumberedPoints points() const { return {given_, made_}; }
   [[nodiscard]] std::size_t size() const { return given_.size() + made_.size(); }
   [[nodiscard]] bool is_given(std::uint32_t number) const { return number < given_.size(); }
   [[nodiscard]] const Point3& given(std::uint32_t number) const { return given_[number]; }
-  [[nodiscard]] ExactPoint3 point(std::uint32_t number) const {
-    return is_given(number) ? ExactPoint3(given_[number]) : made_[number - given_.size()];
-  }
+  [[nodiscard]] ExactPoint3 point(std::uint32_t number) const { return points().at(number); }
   std::uint32_t number_of(const ExactPoint3& point);
   /// How many of the points as given come before this one?
   [[nodiscard]] std::uint32_t given_before(const ExactPoint3& point) const;

@@ -46,7 +46,8 @@ class WindingSpread {
     const bool downward = side % 2 == 0;
     for (const CoveringFace& by : list_.covers_of(side / 2))
       for (const FacetSource& use : pool_.uses_of(by.face))
-        windings[use.face.mesh] += ((by.opposite != use.opposite) == downward) ? -1 : 1;
+        if (!pool_.is_sheet(use.face.mesh))
+          windings[use.face.mesh] += ((by.opposite != use.opposite) == downward) ? -1 : 1;
   }
 
   const FacePool& pool_;
@@ -61,6 +62,7 @@ class WindingSpread {
 
 std::vector<std::int32_t> windings_of_sets(const FacePool& pool, const Bvh& bvh, const FacetList& list,
                                            const PointTable& table, const SideSets& sets) {
+  if (pool.meshes == pool.sheets) return std::vector<std::int32_t>(std::size_t{sets.count} * pool.meshes);
   const OutsideWinding outside(pool, bvh, list, table);
   WindingSpread known(pool, list, sets);
   for (std::uint32_t f = 0; f < list.facets.size(); ++f) {

@@ -92,7 +92,7 @@ TEST(Arrangement, WhatCancelsIsGone) {
   TriangleMesh twice = box({0, 0, 0}, {1, 1, 1});
   solids::append(twice, box({0, 0, 0}, {1, 1, 1}), true);
   EXPECT_TRUE(arrange(std::vector{twice}).facets.empty());
-  EXPECT_TRUE(arrange({}).facets.empty());
+  EXPECT_TRUE(arrange(std::vector<TriangleMesh>{}).facets.empty());
   EXPECT_TRUE(arrange(std::vector{TriangleMesh{}}).facets.empty());
 }
 

@@ -64,7 +64,7 @@ TEST(JoinedFaces, WhereNoPolygonHasFewerTrianglesThePoolStays) {
   const FacePool pool = pool_faces(meshes), joined = join_coplanar_faces(pool);
   EXPECT_EQ(joined.mesh.triangles, pool.mesh.triangles);
   EXPECT_EQ(joined.uses, pool.uses);
-  EXPECT_TRUE(join_coplanar_faces(pool_faces({})).mesh.triangles.empty());
+  EXPECT_TRUE(join_coplanar_faces(pool_faces(std::vector<TriangleMesh>{})).mesh.triangles.empty());
 }
 
 TEST(JoinedFaces, ASourceIsTheLeastOfItsPolygonThatTurnsAsTheMeshDoes) {

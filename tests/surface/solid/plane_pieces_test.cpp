@@ -66,7 +66,7 @@ TEST(PlanePieces, AreCoveredByTheFacesAroundTheirMiddles) {
     }
     for (const std::uint32_t face : classes.whole) left[face] = 0;
     for (const PlaneClass& of : classes.cut) {
-      const PlaneView view(pool.points_of(of.faces.front()));
+      const PlaneView view(pool.points(), pool.mesh.triangles[of.faces.front()]);
       for (const PlanePiece& piece : surface::divide_plane(pool, table, of, view)) {
         std::array<RationalPoint3, 3> t;
         for (std::size_t k = 0; k < 3; ++k) t[k] = rational_point(table.point(piece.corners[k]));

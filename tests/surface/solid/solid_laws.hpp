@@ -100,15 +100,13 @@ inline RationalPoint3 beside(const Arrangement& all, std::size_t facet, const Ra
 }
 
 /// How many points are on triangles that cancel is returned.
-inline std::size_t expect_windings(const std::vector<TriangleMesh>& meshes, const Arrangement& all, std::size_t every) {
+inline std::size_t expect_windings(const std::vector<ExactMesh>& exact, const Arrangement& all, std::size_t every) {
   std::size_t unlucky = 0;
-  std::vector<ExactMesh> exact;
-  for (const TriangleMesh& m : meshes) exact.push_back(exact_mesh_of(m));
   for (std::size_t f = 0; f < all.facets.size(); f += every) {
     for (const int side : {1, -1}) {
       const RationalPoint3 p = beside(all, f, Rational(side) / Rational(1LL << 40));
       const auto told = all.windings_of(side > 0 ? all.sides[f].above : all.sides[f].below);
-      for (std::size_t m = 0; m < meshes.size(); ++m) {
+      for (std::size_t m = 0; m < exact.size(); ++m) {
         const auto by_definition = winding_by_definition(exact[m], p);
         if (!by_definition) {  // on triangles that cancel one another
           ++unlucky;
@@ -119,6 +117,11 @@ inline std::size_t expect_windings(const std::vector<TriangleMesh>& meshes, cons
     }
   }
   return unlucky;
+}
+inline std::size_t expect_windings(const std::vector<TriangleMesh>& meshes, const Arrangement& all, std::size_t every) {
+  std::vector<ExactMesh> exact;
+  for (const TriangleMesh& m : meshes) exact.push_back(exact_mesh_of(m));
+  return expect_windings(exact, all, every);
 }
 
 }  // namespace plumb::solid_laws

@@ -1,4 +1,4 @@
-// Arrangement: into which facets and cells do closed meshes cut space, and how often does each wind around each cell?
+// Arrangement: into which facets and cells do closed meshes and sheets cut space, and how often does each wind around each cell?
 //
 //   const std::vector<TriangleMesh> meshes{a, b};
 //   const Arrangement all = arrange(meshes);
@@ -17,11 +17,17 @@
 // (6) `of_polygons`: neighbors over an edge of two triangles of a mesh that lie in one plane, decided exactly, are one
 // polygon, and no edge in its midst cuts anything.  Windings are the same; a facet's source is then the least triangle of
 // its polygon, once for each time that the mesh winds around it; of laws 1 and 2 what triangles have alone is not kept.
+// (7) An exact mesh is taken as a mesh of doubles is: the same points and triangles make the same arrangement.
+// (8) Sheets need not be closed: they are cut and cut others, and wind around nothing.  Both sides of a sheet's triangles
+// count: what a sheet has twice, or turned both ways, is not canceled.
 // A mesh that is not closed, or whose triangles run against each other, throws UnbalancedEdge, which names an edge and a
-// triangle there; a triangle that names no vertex throws InvalidShape.  NaN and infinity throw NonFinite.
+// triangle there; a triangle that names no vertex throws InvalidShape.  NaN and infinity throw NonFinite, an exact point
+// whose nearest doubles are infinite BeyondDoubles.
 // Source: RTCD 2.2.1; Zhou, Grinspun, Zorin and Jacobson, Mesh arrangements for solid geometry, 2016; Hoffmann 1989.
 // Cost: that of a tree and of intersecting_pairs for all triangles together; some 10 us for each pair that meets; n log n
 // for each plane's segments and their pieces, and for edges; a descent for each connected group of facets.
+// Faces with corners that no doubles hold take some signs for each pair of boxes that overlap, and rationals for each
+// point that they make.
 // Bounded by n^4 signs, for n triangles may cut one another into n^3 pieces.
 #pragma once
 
@@ -74,7 +80,7 @@ struct UnbalancedEdge : InvalidShape {
   UnbalancedEdge(const std::string& text, SourceFace found, const std::array<Point3, 2>& along, bool is_one_open)
       : InvalidShape(text), face(found), edge(along), is_open(is_one_open) {}
   SourceFace face;             // one of them
-  std::array<Point3, 2> edge;  // its ends, in lexicographic order
+  std::array<Point3, 2> edge;  // its ends, in lexicographic order; the nearest doubles of an exact mesh's
   bool is_open;                // an odd number of triangles has the edge; else they run against each other
 };
 
@@ -82,5 +88,9 @@ struct UnbalancedEdge : InvalidShape {
 enum class Pieces : unsigned char { of_triangles, of_polygons };
 
 Arrangement arrange(std::span<const TriangleMesh> meshes, Pieces pieces = Pieces::of_triangles);
+/// Sheets are numbered after the solids.
+Arrangement arrange(std::span<const TriangleMesh> solids, std::span<const TriangleMesh> sheets);
+/// Takes what operations made, or exact_mesh under a pose: nothing is rounded between.
+Arrangement arrange(std::span<const ExactMesh> meshes, Pieces pieces = Pieces::of_triangles);
 
 }  // namespace plumb

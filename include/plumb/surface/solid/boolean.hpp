@@ -6,6 +6,7 @@
 //   subtract(a, b); intersect(a, b); symmetric_difference(a, b);
 //   unite(meshes);                                 // of many at once
 //   unite(a, b, WindingRule::positive, Pieces::of_polygons);   // merged, and faster where much lies in one plane
+//   subtract(both, exact_mesh(c, pose));           // of exact meshes: a chain is rounded at its end, if at all
 //   solid_where(meshes, [](auto winding) { return winding[0] > 0 && winding[1] <= 0 && winding[2] <= 0; });
 //
 // Input: as arrange takes it, each mesh standing for the points around which it winds as the rule says: by `positive` a
@@ -50,6 +51,12 @@ ExactMesh solid_where(std::span<const TriangleMesh> meshes, const Inside& inside
   if (pieces == Pieces::of_polygons) return merge_pieces(made);
   return made;
 }
+template <class Inside>
+ExactMesh solid_where(std::span<const ExactMesh> meshes, const Inside& inside, Pieces pieces = Pieces::of_triangles) {
+  ExactMesh made = solid_where(arrange(meshes, pieces), inside);
+  if (pieces == Pieces::of_polygons) return merge_pieces(made);
+  return made;
+}
 
 ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule = WindingRule::positive,
                   Pieces pieces = Pieces::of_triangles);
@@ -74,6 +81,27 @@ ExactMesh intersect(const TriangleMesh& a, const TriangleMesh& b, WindingRule ru
 ExactMesh subtract(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive,
                    Pieces pieces = Pieces::of_triangles);
 ExactMesh symmetric_difference(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule = WindingRule::positive,
+                               Pieces pieces = Pieces::of_triangles);
+
+/// The same take what operations made: a chain stays exact, and is rounded at its end.  Sources name triangles of these
+/// meshes.
+ExactMesh resolve(const ExactMesh& mesh, WindingRule rule = WindingRule::positive,
+                  Pieces pieces = Pieces::of_triangles);
+ExactMesh unite(std::span<const ExactMesh> meshes, WindingRule rule = WindingRule::positive,
+                Pieces pieces = Pieces::of_triangles);
+ExactMesh intersect(std::span<const ExactMesh> meshes, WindingRule rule = WindingRule::positive,
+                    Pieces pieces = Pieces::of_triangles);
+ExactMesh subtract(std::span<const ExactMesh> meshes, WindingRule rule = WindingRule::positive,
+                   Pieces pieces = Pieces::of_triangles);
+ExactMesh symmetric_difference(std::span<const ExactMesh> meshes, WindingRule rule = WindingRule::positive,
+                               Pieces pieces = Pieces::of_triangles);
+ExactMesh unite(const ExactMesh& a, const ExactMesh& b, WindingRule rule = WindingRule::positive,
+                Pieces pieces = Pieces::of_triangles);
+ExactMesh intersect(const ExactMesh& a, const ExactMesh& b, WindingRule rule = WindingRule::positive,
+                    Pieces pieces = Pieces::of_triangles);
+ExactMesh subtract(const ExactMesh& a, const ExactMesh& b, WindingRule rule = WindingRule::positive,
+                   Pieces pieces = Pieces::of_triangles);
+ExactMesh symmetric_difference(const ExactMesh& a, const ExactMesh& b, WindingRule rule = WindingRule::positive,
                                Pieces pieces = Pieces::of_triangles);
 
 }  // namespace plumb
