@@ -3,7 +3,8 @@
 // Source: docs/sections.md, chapter 2.
 #pragma once
 
-#include "plumb/world/any_body.hpp"  // what stands in a world: a figure, a shared mesh, a compound of both
-#include "plumb/world/clash.hpp"     // parts of an assembly: touching, overlapping, piercing, enclosed, duplicate
-#include "plumb/world/clashes.hpp"   // all such pairs of many parts
-#include "plumb/world/world.hpp"     // CollisionWorld: which pairs meet, where they touch, and what has begun and ended
+#include "plumb/world/any_body.hpp"     // what stands in a world: a figure, a shared mesh, a compound of both
+#include "plumb/world/clash.hpp"        // parts of an assembly: touching, overlapping, piercing, enclosed, duplicate
+#include "plumb/world/clashes.hpp"      // all such pairs of many parts
+#include "plumb/world/heightfield.hpp"  // a grid of heights as a mesh
+#include "plumb/world/world.hpp"  // CollisionWorld: which pairs meet, where they touch, and what has begun and ended
