@@ -7,4 +7,5 @@
 #include "plumb/world/clash.hpp"        // parts of an assembly: touching, overlapping, piercing, enclosed, duplicate
 #include "plumb/world/clashes.hpp"      // all such pairs of many parts
 #include "plumb/world/heightfield.hpp"  // a grid of heights as a mesh
+#include "plumb/world/plan.hpp"         // for which bodies of a world a proxy pays
 #include "plumb/world/world.hpp"  // CollisionWorld: which pairs meet, where they touch, and what has begun and ended

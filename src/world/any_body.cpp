@@ -1,19 +1,30 @@
 #include "plumb/world/any_body.hpp"
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include "plumb/arith/error.hpp"
 #include "plumb/space/bvh/build.hpp"
+#include "world/proxy_around.hpp"
 #include "world/rigid_links.hpp"
 
 namespace plumb {
 
 struct SharedMesh::Kept {
+  Kept(Bvh tree, std::vector<std::uint32_t> slots, const Aabb3& around)
+      : bvh(std::move(tree)), slot_of(std::move(slots)), box(around) {}
+
   Bvh bvh;
   std::vector<std::uint32_t> slot_of;  // of each number; one of its slots
   Aabb3 box;
+  struct Proxy {
+    std::once_flag asked;
+    std::optional<AnyFigure> figure;
+  };
+  std::array<Proxy, proxy_kinds> proxies{};
 };
 
 SharedMesh::SharedMesh(const TriangleMesh& mesh) : SharedMesh(build_bvh(mesh)) {}
@@ -32,12 +43,18 @@ SharedMesh::SharedMesh(Bvh bvh) {
       box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
     }
   }
-  kept_ = std::make_shared<const Kept>(Kept{std::move(bvh), std::move(slot_of), box});
+  kept_ = std::make_shared<Kept>(std::move(bvh), std::move(slot_of), box);
 }
 
 const Bvh& SharedMesh::bvh() const { return kept_->bvh; }
 Triangle3 SharedMesh::triangle(std::uint32_t number) const { return kept_->bvh.triangle(kept_->slot_of.at(number)); }
 const Aabb3& SharedMesh::box() const { return kept_->box; }
+
+const std::optional<AnyFigure>& SharedMesh::proxy(ProxyKind kind) const {
+  Kept::Proxy& proxy = kept_->proxies[static_cast<std::size_t>(kind)];
+  std::call_once(proxy.asked, [&] { proxy.figure = world::proxy_around(world::points_around({*this, {}}), kind); });
+  return proxy.figure;
+}
 
 AnyBody::AnyBody(const AnyFigure& figure) : parts_{{figure.under({}), {}}}, pose_(figure.pose()) {}
 AnyBody::AnyBody(const SharedMesh& mesh) : parts_{{mesh, {}}} {}

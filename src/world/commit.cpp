@@ -95,13 +95,15 @@ constexpr std::size_t pairs_in_block = 32;
 
 AskedPairs asked_pairs(const std::vector<WorldPair>& pairs, const std::vector<std::optional<WorldBody>>& bodies,
                        const CollisionWorldOptions& options) {
-  AskedPairs asked{std::vector<Relation>(pairs.size()), {}};
+  AskedPairs asked{std::vector<Relation>(pairs.size(), Relation::disjoint), {}};
   const std::size_t blocks = space::blocks_of(pairs.size(), pairs_in_block);
   asked.contacts.resize(blocks);
   std::vector<std::exception_ptr> thrown(blocks);
   const auto ask = [&](std::size_t i, std::vector<WorldContact>& contacts) {
     const WorldPair& p = pairs[i];
     const WorldBody &a = *bodies[p.a.slot], &b = *bodies[p.b.slot];
+    const bool may_touch_apart = options.contacts && (a.options.margin != 0 || b.options.margin != 0);
+    if (!may_touch_apart && world::are_apart_by_proxies(a, b)) return;  // disjoint, and without contacts
     about_body("CollisionWorld::commit", p.id_a, [&] {
       about_body("and", p.id_b, [&] {
         asked.relations[i] = relation_of_bodies(a, b);

@@ -26,6 +26,7 @@ class RayQuestion {
   [[nodiscard]] std::optional<WorldHit> of(const BodyHandle& handle) const {
     if (!plumb::hits(ray_, boxes_.box(handle))) return {};  // the index has wider ones
     const WorldBody& body = *bodies_[handle.slot];
+    if (body.proxy && !world::is_hit(*body.proxy, ray_)) return {};
     return about_body("CollisionWorld::first_hit", body.options.user_id, [&] {
       std::optional<WorldHit> best;
       for (std::uint32_t i = 0; i < body.placed.size(); ++i) {
@@ -79,7 +80,8 @@ bool CollisionWorld::any_hit(const AnyRay& ray, std::uint32_t mask) const {
   s.boxes.visit_along(ray, [&](const BodyHandle& handle) {
     const WorldBody& body = *s.bodies[handle.slot];
     is_any = is_any ||
-             ((body.options.group & mask) != 0 && about_body("CollisionWorld::any_hit", body.options.user_id, [&] {
+             ((body.options.group & mask) != 0 && (!body.proxy || world::is_hit(*body.proxy, ray)) &&
+              about_body("CollisionWorld::any_hit", body.options.user_id, [&] {
                 return std::ranges::any_of(body.placed, [&](const Placed& part) { return world::is_hit(part, ray); });
               }));
     return is_any ? -beyond_all : beyond_all;

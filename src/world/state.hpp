@@ -27,12 +27,10 @@ inline HandlePair by_handles(const BodyHandle& a, const BodyHandle& b) {
   return a < b ? HandlePair{a, b} : HandlePair{b, a};
 }
 
-/// Says of an error which body it is about.
-template <class Call>
-auto about_body(const char* function, std::uint64_t user_id, const Call& call) {
-  const auto text = [&](const Error& e) {
-    return std::string(function) + ": body " + std::to_string(user_id) + ": " + e.what();
-  };
+/// Says of an error what it is about; whom() tells.
+template <class Whom, class Call>
+auto about(const Whom& whom, const Call& call) {
+  const auto text = [&](const Error& e) { return whom() + ": " + e.what(); };
   try {
     return call();
   } catch (const NonFinite& e) {
@@ -48,6 +46,11 @@ auto about_body(const char* function, std::uint64_t user_id, const Call& call) {
   }
 }
 
+template <class Call>
+auto about_body(const char* function, std::uint64_t user_id, const Call& call) {
+  return about([&] { return std::string(function) + ": body " + std::to_string(user_id); }, call);
+}
+
 /// A pair of boxes that overlap.
 struct NearPair {
   WorldPair pair;         // its relation is that of the last time that it was asked
@@ -58,9 +61,15 @@ struct WorldBody {
   std::vector<AnyBody::Part> parts;
   AnyPose pose;
   std::vector<Placed> placed;  // part by part
+  Aabb3 box;                   // around all of them, without the margin
   BodyOptions options;
+  std::optional<AnyFigure> proxy;  // where it stands
   BodyHandle handle{};
 };
+
+/// Do the proxies, or what is there in their place, say that the bodies have no point in common?  Bodies without a
+/// proxy, of which this is not known at less cost than by asking them, are not.
+bool are_apart_by_proxies(const WorldBody& a, const WorldBody& b);
 
 inline Aabb3 joined(const Aabb3& a, const Aabb3& b) {
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},

@@ -41,9 +41,27 @@ Stand stand(const char* function, const std::vector<AnyBody::Part>& parts, const
       const Aabb3 box = world::box_of(made.placed.back());
       made.box = made.placed.size() == 1 ? box : world::joined(made.box, box);
     }
-    made.box = enlarged(made.box, options.margin);
     return made;
   });
+}
+
+/// Nothing where none is asked for.
+std::optional<AnyFigure> proxy_in_place(const char* function, const std::vector<AnyBody::Part>& parts,
+                                        const AnyPose& pose, const BodyOptions& options) {
+  if (options.proxy == ProxyKind::none) return {};
+  return about_body(function, options.user_id, [&] {
+    const std::optional<AnyFigure> proxy = proxy_of(AnyBody::of(parts, {}), options.proxy);
+    if (!proxy) {
+      throw InvalidShape("it has no proxy that is a " + std::string(name_of(options.proxy)) + "; give another kind");
+    }
+    return std::optional(std::get<AnyFigure>(world::placed({*proxy, {}}, pose)));
+  });
+}
+
+/// The same proxy under another pose.
+std::optional<AnyFigure> moved(const std::optional<AnyFigure>& proxy, const RigidPose& pose) {
+  if (!proxy) return {};
+  return proxy->under(pose);
 }
 
 }  // namespace
@@ -59,8 +77,9 @@ BodyHandle CollisionWorld::add(const AnyBody& body, const BodyOptions& options) 
   State& s = *state_;
   require_options("CollisionWorld::add", options);
   Stand made = stand("CollisionWorld::add", body.parts(), body.pose(), options);
-  WorldBody kept{body.parts(), body.pose(), std::move(made.placed), options, {}};
-  const BodyHandle handle = s.boxes.insert(made.box);
+  std::optional<AnyFigure> proxy = proxy_in_place("CollisionWorld::add", body.parts(), body.pose(), options);
+  WorldBody kept{body.parts(), body.pose(), std::move(made.placed), made.box, options, std::move(proxy), {}};
+  const BodyHandle handle = s.boxes.insert(enlarged(made.box, options.margin));
   try {
     if (s.bodies.size() <= handle.slot) {
       s.bodies.resize(std::size_t{handle.slot} + 1);
@@ -82,26 +101,28 @@ void CollisionWorld::move(const BodyHandle& body, const RigidPose& pose) {
   if (at.parts.size() == 1) {  // without a list of its own
     Placed there =
         about_body("CollisionWorld::move", at.options.user_id, [&] { return world::placed(at.parts[0], pose); });
-    const Aabb3 box = about_body("CollisionWorld::move", at.options.user_id,
-                                 [&] { return enlarged(world::box_of(there), at.options.margin); });
+    const Aabb3 box = about_body("CollisionWorld::move", at.options.user_id, [&] { return world::box_of(there); });
+    std::optional<AnyFigure> proxy = moved(at.proxy, pose);
     s.note_changed(body.slot);
-    s.boxes.move(body, box);
-    at.placed[0] = std::move(there), at.pose = pose;
+    s.boxes.move(body, enlarged(box, at.options.margin));
+    at.placed[0] = std::move(there), at.box = box, at.proxy = std::move(proxy), at.pose = pose;
     return;
   }
   Stand made = stand("CollisionWorld::move", at.parts, pose, at.options);
+  std::optional<AnyFigure> proxy = moved(at.proxy, pose);
   s.note_changed(body.slot);
-  s.boxes.move(body, made.box);
-  at.placed = std::move(made.placed), at.pose = pose;
+  s.boxes.move(body, enlarged(made.box, at.options.margin));
+  at.placed = std::move(made.placed), at.box = made.box, at.proxy = std::move(proxy), at.pose = pose;
 }
 
 void CollisionWorld::replace(const BodyHandle& body, const AnyBody& by) {
   State& s = *state_;
   WorldBody& at = s.body("CollisionWorld::replace", body);
   Stand made = stand("CollisionWorld::replace", by.parts(), by.pose(), at.options);
-  WorldBody kept{by.parts(), by.pose(), std::move(made.placed), at.options, body};
+  std::optional<AnyFigure> proxy = proxy_in_place("CollisionWorld::replace", by.parts(), by.pose(), at.options);
+  WorldBody kept{by.parts(), by.pose(), std::move(made.placed), made.box, at.options, std::move(proxy), body};
   s.note_changed(body.slot);
-  s.boxes.move(body, made.box);
+  s.boxes.move(body, enlarged(made.box, at.options.margin));
   at = std::move(kept);
 }
 
@@ -111,6 +132,14 @@ void CollisionWorld::remove(const BodyHandle& body) {
   s.boxes.remove(body);
   s.bodies[body.slot].reset();
   std::erase_if(s.allowed, [&](const HandlePair& p) { return p.a == body || p.b == body; });
+}
+
+void CollisionWorld::set_proxy(const BodyHandle& body, ProxyKind proxy) {
+  WorldBody& at = state_->body("CollisionWorld::set_proxy", body);
+  BodyOptions options = at.options;
+  options.proxy = proxy;
+  at.proxy = proxy_in_place("CollisionWorld::set_proxy", at.parts, at.pose, options);
+  at.options = options;
 }
 
 bool CollisionWorld::contains(const BodyHandle& body) const { return state_->boxes.contains(body); }
@@ -151,7 +180,7 @@ std::vector<BodyHandle> CollisionWorld::overlaps(const AnyFigure& figure, std::u
   std::vector<BodyHandle> found;
   for (const BodyHandle& handle : state_->boxes.in_box(world::box_of_figure(figure))) {
     const WorldBody& body = *state_->bodies[handle.slot];
-    if ((body.options.group & mask) == 0) continue;
+    if ((body.options.group & mask) == 0 || (body.proxy && !intersects(*body.proxy, figure))) continue;
     if (std::ranges::any_of(body.placed, [&](const Placed& part) { return world::meet(part, figure); })) {
       found.push_back(handle);
     }

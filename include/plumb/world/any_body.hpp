@@ -4,17 +4,23 @@
 //   const SharedMesh rock(mesh);                                     // its tree is made once
 //   AnyBody boulder(rock, RigidPose{turn, {5, 0, 0}});
 //   AnyBody table = AnyBody::compound({top, leg, AnyBody(leg_figure, RigidPose{{}, {3, 0, 0}})});
+//   proxy_of(boulder, ProxyKind::hull)                               // what misses it misses the boulder
 //
 // Laws: (1) a body is the union of its parts, each under its own pose and then under that of the body, exactly.  (2) A mesh
-// is its triangles: a surface, of which nothing is inside.  (3) Copies share what is large.
+// is its triangles: a surface, of which nothing is inside.  (3) Copies share what is large.  (4) A proxy holds every point
+// of the body, exactly: what misses the proxy misses the body.
 // A mesh of no triangles and a compound of no parts throw InvalidShape, a pose that is neither rigid nor a chain of such
 // UnevenPose, for a mesh and for the parts of a compound.
-// Source: RTCD 2.4.1.
-// Cost: that of the tree for a mesh, once.  Nothing is searched.
+// Source: RTCD 2.2.2, 2.4.1.
+// Cost: that of the tree for a mesh, once, and of each kind of proxy when it is first asked for; of other bodies each
+// time.  Nothing is searched.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -23,6 +29,11 @@
 #include "plumb/space/bvh/bvh.hpp"
 
 namespace plumb {
+
+/// What may be asked in place of a body first: a Sphere3, an Obb3, a KDop3 of 18 sides or a ConvexPolyhedron3.
+enum class ProxyKind : unsigned char { none, sphere, obb, k_dop, hull };
+inline constexpr std::size_t proxy_kinds = 5;
+std::string_view name_of(ProxyKind kind);  // "none", "sphere", "box", "k-dop", "hull"
 
 /// A mesh with its tree, which never changes.
 class SharedMesh {
@@ -35,11 +46,13 @@ class SharedMesh {
   [[nodiscard]] Triangle3 triangle(std::uint32_t number) const;
   /// Around all of it.
   [[nodiscard]] const Aabb3& box() const;
+  /// That of proxy_of; it is made when it is first asked for, from any thread.
+  [[nodiscard]] const std::optional<AnyFigure>& proxy(ProxyKind kind) const;
   friend bool operator==(const SharedMesh&, const SharedMesh&) = default;
 
  private:
   struct Kept;
-  std::shared_ptr<const Kept> kept_;
+  std::shared_ptr<Kept> kept_;
 };
 
 class AnyBody {
@@ -69,5 +82,8 @@ class AnyBody {
   std::vector<Part> parts_;
   AnyPose pose_;
 };
+
+/// In the body's own place, without its pose.  Nothing of no kind, nor where doubles hold none: of a hull where it is flat.
+std::optional<AnyFigure> proxy_of(const AnyBody& body, ProxyKind kind);
 
 }  // namespace plumb

@@ -20,7 +20,9 @@
 // user id; Unsupported refuses a figure of the plane or without an end, UnevenPose one under a matrix.
 // (8) Rays, distances, casts and motions are those of the figures and triangles themselves, exactly, and answers are
 // ordered by exact numbers.
-// Source: RTCD 2.4.1, 2.4.3.
+// (9) Proxies change no answer: what misses the proxy of a body, which holds it, is not asked about the body.  A body that
+// has no proxy of the kind that is asked for throws InvalidShape.
+// Source: RTCD 2.2.2, 2.4.1, 2.4.3.
 // Cost: that of MovingBoxes for what has moved, and relate, and contact where it is asked for, for each pair of boxes that
 // overlap of which a body has changed.  Nothing is searched but by MovingBoxes.
 #pragma once
@@ -60,6 +62,7 @@ struct BodyOptions {
   std::uint64_t user_id = 0;
   double margin = 0;  // contacts begin this far from the body
   bool is_static = false;
+  ProxyKind proxy = ProxyKind::none;  // plan() says where one pays (plumb/world/plan.hpp)
 };
 
 struct CollisionWorldOptions {
@@ -165,6 +168,9 @@ struct BodyTurn {
   RigidPose to;
 };
 
+struct WorldPlan;
+struct WorldPlanOptions;
+
 /// Two bodies that turn do not meet before the span, and may meet in it; do they for certain?
 struct WorldContactSpan {
   std::uint64_t id_a, id_b;
@@ -190,6 +196,7 @@ class CollisionWorld {
   /// Another body, by the same handle, options and events.
   void replace(const BodyHandle& body, const AnyBody& by);
   void remove(const BodyHandle& body);
+  void set_proxy(const BodyHandle& body, ProxyKind proxy);
 
   [[nodiscard]] bool contains(const BodyHandle& body) const;
   [[nodiscard]] std::size_t size() const;
@@ -276,6 +283,8 @@ class CollisionWorld {
   [[nodiscard]] std::vector<WorldContactSpan> first_contact_spans(std::span<const BodyTurn> turns) const {
     return first_contact_spans(turns, {.resolution = 0x1p-12});  // a guess of what pays
   }
+
+  friend WorldPlan plan(const CollisionWorld& world, const WorldPlanOptions& options);
 
  private:
   using AskFilter = bool (*)(void* filter, const BodyHandle& a, const BodyHandle& b);
