@@ -85,6 +85,22 @@ class TurningPair {
   TurnedBody a_, b_;
 };
 
+struct FoundSpan {
+  TimeSpan span;
+  bool is_certain;
+};
+std::optional<FoundSpan> span_of(const TurnedBody& a, const TurnedBody& b, const HalvingOptions& options) {
+  const TurningPair motion(a, b);
+  if (motion.surely_meet_at(0)) return FoundSpan{{0, 0}, true};
+  const auto span = first_contact_span(motion, options);
+  if (!span) return {};
+  return FoundSpan{*span, motion.surely_meet_at(span->to)};
+}
+
+void require_resolution(const char* function, double resolution) {
+  if (!(resolution > 0)) throw Error(std::string(function) + ": the resolution must be above zero");
+}
+
 RigidPose rigid_pose_of(const AnyPose& pose) {
   if (std::holds_alternative<std::monostate>(pose)) return {};
   if (const auto* rigid = std::get_if<RigidPose>(&pose)) return *rigid;
@@ -103,7 +119,7 @@ std::vector<WorldContactSpan> CollisionWorld::first_contact_spans(std::span<cons
                                                                   const HalvingOptions& options) const {
   const State& s = *state_;
   constexpr const char* function = "CollisionWorld::first_contact_spans";
-  if (!(options.resolution > 0)) throw Error(std::string(function) + ": the resolution must be above zero");
+  require_resolution(function, options.resolution);
   TurnsOfBodies all;
   all.of.resize(s.bodies.size());
   for (const BodyTurn& turn : turns) {
@@ -134,18 +150,42 @@ std::vector<WorldContactSpan> CollisionWorld::first_contact_spans(std::span<cons
     };
     about_body(function, p.id_a, [&] {
       about_body("and", p.id_b, [&] {
-        const TurningPair motion(turned(p.a), turned(p.b));
-        if (motion.surely_meet_at(0)) {
-          told.push_back({p.id_a, p.id_b, p.a, p.b, {0, 0}, true});
-        } else if (const auto span = first_contact_span(motion, options)) {
-          told.push_back({p.id_a, p.id_b, p.a, p.b, *span, motion.surely_meet_at(span->to)});
-        }
+        const auto found = span_of(turned(p.a), turned(p.b), options);
+        if (found) told.push_back({p.id_a, p.id_b, p.a, p.b, found->span, found->is_certain});
       });
     });
   }
   std::sort(told.begin(), told.end(), [](const WorldContactSpan& p, const WorldContactSpan& q) {
     return std::tie(p.span.from, p.span.to, p.id_a, p.id_b, p.a, p.b) <
            std::tie(q.span.from, q.span.to, q.id_a, q.id_b, q.a, q.b);
+  });
+  return told;
+}
+
+std::vector<WorldCastSpan> CollisionWorld::contact_spans_along(const AnyFigure& figure, const RigidPose& to,
+                                                               std::uint32_t mask, double resolution) const {
+  const State& s = *state_;
+  constexpr const char* function = "CollisionWorld::contact_spans_along";
+  require_resolution(function, resolution);
+  WorldBody moving{{{figure.under({}), {}}}, figure.pose(), {}, {}, {}, {}, {}};
+  const auto turning =
+      world::about([&] { return std::string(function) + ": figure"; },
+                   [&] {
+                     moving.placed = placed_by(moving, moving.pose);
+                     static_cast<void>(placed_by(moving, to));  // throws where it is no pose
+                     return world::Turning(rigid_pose_of(moving.pose), to, box_of_all(placed_by(moving, {})));
+                   });
+  std::vector<WorldCastSpan> told;
+  for (const BodyHandle& handle : s.boxes.in_box(turning.way(box_of_all(moving.placed)))) {
+    const WorldBody& body = *s.bodies[handle.slot];
+    if ((body.options.group & mask) == 0) continue;
+    const auto found = about_body(function, body.options.user_id, [&] {
+      return span_of({moving, &turning}, {body, nullptr}, {.resolution = resolution});
+    });
+    if (found) told.push_back({body.options.user_id, handle, found->span, found->is_certain});
+  }
+  std::sort(told.begin(), told.end(), [](const WorldCastSpan& p, const WorldCastSpan& q) {
+    return std::tie(p.span.from, p.span.to, p.user_id, p.body) < std::tie(q.span.from, q.span.to, q.user_id, q.body);
   });
   return told;
 }

@@ -214,5 +214,44 @@ TEST(WorldTurns, BadTurnsNameTheBodyAndFiltersHold) {
   EXPECT_THROW(static_cast<void>(n.world.first_contact_spans(n.turns)), StaleHandle);
 }
 
+// A figure that turns through a world is told the spans that it has as a body of it.
+TEST(WorldTurns, CastsOfFiguresAreThoseOfBodies) {
+  int told = 0;
+  for (std::uint64_t run = 0; run < 60; ++run) {
+    SCOPED_TRACE("replay: Entropy(4801, " + std::to_string(run) + ")");
+    Entropy e(4801, run);
+    CollisionWorld with, without;
+    const AnyFigure moving = drawn_world::figure(e).under(drawn_world::pose(e));
+    const BodyHandle mover = with.add(moving, {.user_id = 99});
+    for (std::uint64_t id = 0; id < 6; ++id) {
+      const Drawn drawn = drawn_world::body(e).under(drawn_world::pose(e));
+      const BodyOptions options{.group = 1U + std::uint32_t(e.below(2)), .user_id = id};
+      with.add(drawn.body, options), without.add(drawn.body, options);
+    }
+    const RigidPose to = drawn_world::pose(e);
+    const std::vector<BodyTurn> turns{{mover, to}};
+    std::vector<WorldCastSpan> expected;
+    for (const WorldContactSpan& c : with.first_contact_spans(turns, coarse)) {
+      const bool is_b = c.id_a == 99;
+      const BodyHandle other = is_b ? c.b : c.a;
+      if ((with.options(other).group & 2) == 0) continue;
+      expected.push_back({is_b ? c.id_b : c.id_a, {other.slot - 1, other.generation}, c.span, c.is_certain});
+    }
+    EXPECT_EQ(without.contact_spans_along(moving, to, 2, coarse.resolution), expected);
+    told += int(expected.size());
+  }
+  std::printf("%d told\n", told);
+  EXPECT_GT(told, 15);
+  const Needle n;
+  EXPECT_THROW(static_cast<void>(n.world.contact_spans_along(Sphere3{{0, 0, 0}, 1}, {}, every_group, 0)), Error);
+  try {
+    const AnyFigure chained = AnyFigure(Point3{9, 9, 9}).under(RigidChain{{{}, {}}});
+    static_cast<void>(n.world.contact_spans_along(chained, {}));
+    ADD_FAILURE() << "nothing thrown";
+  } catch (const UnevenPose& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("contact_spans_along: figure"));
+  }
+}
+
 }  // namespace
 }  // namespace plumb

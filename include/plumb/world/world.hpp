@@ -180,6 +180,15 @@ struct WorldContactSpan {
   friend bool operator==(const WorldContactSpan&, const WorldContactSpan&) = default;
 };
 
+/// When a figure that turns comes to a body, likewise.
+struct WorldCastSpan {
+  std::uint64_t user_id;
+  BodyHandle body;
+  TimeSpan span;
+  bool is_certain;
+  friend bool operator==(const WorldCastSpan&, const WorldCastSpan&) = default;
+};
+
 inline constexpr std::uint32_t every_group = 0xffffffff;
 
 class CollisionWorld {
@@ -285,6 +294,13 @@ class CollisionWorld {
   }
 
   friend WorldPlan plan(const CollisionWorld& world, const WorldPlanOptions& options);
+
+  /// Shape cast that turns: the figure goes from its rigid pose to another, as a BodyTurn does, the bodies stand still.  Each
+  /// body that it may come to, with the first span of time in which this is not ruled out, as of first_contact_spans; by
+  /// where spans begin, then by user id.
+  [[nodiscard]] std::vector<WorldCastSpan> contact_spans_along(const AnyFigure& figure, const RigidPose& to,
+                                                               std::uint32_t mask = every_group,
+                                                               double resolution = 0x1p-12) const;
 
  private:
   using AskFilter = bool (*)(void* filter, const BodyHandle& a, const BodyHandle& b);
