@@ -13,7 +13,10 @@ namespace {
 
 using world::about_body, world::WorldBody;
 
-auto near_place(const WorldNearPair& p) { return std::tie(p.id_a, p.id_b, p.a, p.b); }
+template <class Pair>
+auto near_place(const Pair& p) {
+  return std::tie(p.id_a, p.id_b, p.a, p.b);
+}
 
 /// A pair of bodies, and its exact distance once it has been asked for.
 struct RankedPair {
@@ -47,6 +50,10 @@ class PairQuestion {
     if (p.pair.distance != q.pair.distance) return p.pair.distance < q.pair.distance;
     const Sign sign = compare(exact(p), exact(q));
     return sign == Sign::zero ? near_place(p.pair) < near_place(q.pair) : sign == Sign::negative;
+  }
+  /// Nothing is nearer than what has a point in common.
+  [[nodiscard]] bool is_behind_all(const WorldPair& p, const RankedPair& kept) const {
+    return kept.pair.distance == 0 && near_place(kept.pair) < near_place(p) && compare(exact(kept), 0) == Sign::zero;
   }
   [[nodiscard]] bool is_within(const RankedPair& p, double distance) const {
     if (p.pair.distance != distance) return p.pair.distance < distance;
@@ -85,7 +92,7 @@ std::vector<WorldNearPair> CollisionWorld::nearest_pairs(std::size_t k, double w
     s.boxes.visit_near(s.boxes.box(body), most(), [&](const BodyHandle& other) {
       if (other.slot <= slot) return most();  // was asked by the other, or is the body itself
       const auto pair = s.pair_of(body, other);
-      if (!pair || !s.is_admitted(*pair)) return most();
+      if (!pair || (best.size() == k && ask.is_behind_all(*pair, best.back())) || !s.is_admitted(*pair)) return most();
       RankedPair found = ask.of(*pair);
       if (!ask.is_within(found, within)) return most();
       const auto at = std::upper_bound(best.begin(), best.end(), found, is_before);
