@@ -84,6 +84,11 @@ def test_on_this_machine(models, tmp_path):
     assert "endless1.obj" in (tmp_path / "page.html").read_text()
     again = corpus.run_shards(str(models), str(tmp_path / "out"), shards=5, program=program(), time_limit=1)
     assert again == corpus.Shards(5, [])  # nothing was left to do
+    clashes = corpus.run_shards(str(models), str(tmp_path / "clashes"), shards=2, program=program(), time_limit=1,
+                                command="clash", options=["--ignore", "touching"])
+    assert clashes == corpus.Shards(2, [])
+    assert "endless1.obj" in (tmp_path / "clashes" / "clash.1-of-2.jsonl").read_text() + (
+        tmp_path / "clashes" / "clash.2-of-2.jsonl").read_text()
 
 
 def started(words, log):

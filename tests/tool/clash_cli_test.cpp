@@ -308,5 +308,43 @@ TEST(ClashPatterns, MatchNames) {
     EXPECT_EQ(matches_pattern(pattern, name), expected) << pattern << " " << name;
 }
 
+TEST(ClashCommand, TakesShardsOfAssemblies) {
+  const Folder folder;
+  with_parts(folder);
+  const TriangleMesh plate = solids::box({0, 0, 0}, {4, 4, 1}), bar = solids::box({1, 1, -1}, {2, 2, 2});
+  const auto object = [](const TriangleMesh& mesh, std::uint32_t before, const char* name) {
+    std::string text = std::string("o ") + name + "\n";
+    for (const Point3& p : mesh.vertices)
+      text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+    for (const auto& [a, b, c] : mesh.triangles)
+      text += "f " + std::to_string(a + before + 1) + " " + std::to_string(b + before + 1) + " " +
+              std::to_string(c + before + 1) + "\n";
+    return text;
+  };
+  std::ofstream(folder / "parts/machine.obj") << object(plate, 0, "plate") << object(bar, 8, "bar");
+  std::ofstream(folder / "parts/broken.stl") << "solid none\nfacet\n";
+  const std::string at = "cd " + (folder / "") + " && ", clash = at + "$PLUMB clash parts -q --ignore touching ";
+  std::string first;
+  for (const int n : {1, 2}) {
+    const std::string out = "out" + std::to_string(n);
+    for (int i = 1; i <= n; ++i)
+      ASSERT_EQ(run(clash + "--out " + out + " --shard " + std::to_string(i) + "/" + std::to_string(n)).code, 0);
+    const Outcome o = run(at + "$PLUMB collect " + out);
+    EXPECT_EQ(o.code, 0) << o.err;
+    EXPECT_THAT(o.out, AllOf(StartsWith("plumb clash of parts: 7 models in "), HasSubstr("piercing through"),
+                             HasSubstr("machine.obj: clashing (piercing through): 1 piercing through\n"),
+                             HasSubstr("broken.stl: unreadable: ")));
+    const std::string digest = o.out.substr(o.out.find("digest "));
+    if (n == 1) first = digest;
+    EXPECT_EQ(digest, first);
+  }
+  const std::string lines = content(folder / "out1/clash.1-of-1.jsonl");
+  EXPECT_THAT(lines, AllOf(HasSubstr("\"verdict\":\"clear\""), HasSubstr("\"pairs\":1")));
+  const Outcome other = run(at + "$PLUMB clash parts --shard 1/1 --out out1");
+  EXPECT_EQ(other.code, 2);  // with other words left out
+  EXPECT_EQ(run(clash + "--out none --shard 1/1 --page a.html").code, 2);
+  EXPECT_EQ(run(clash + "--out none --shard 1/1 --rule nonsense").code, 2);
+}
+
 }  // namespace
 }  // namespace plumb::tool

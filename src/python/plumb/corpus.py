@@ -3,9 +3,9 @@
     python -m plumb.corpus FOLDER --out DIR                              # on the processors of this machine
     python -m plumb.corpus FOLDER --out DIR --scheduler tcp://host:8786  # on the workers that are there
 
-Each shard is a run of `plumb check FOLDER --shard I/N --out DIR`, which goes on where it was stopped: a shard whose
-worker is lost is given to another, which waits for what is left of the first and does the rest.  Every worker sees FOLDER
-and DIR under the same paths, and has the program.  In the end `plumb collect DIR` tells what was found.
+Each shard is a run of `plumb check FOLDER --shard I/N --out DIR`, or of clash or repair in place of check, which goes on
+where it was stopped: a shard whose worker is lost is given to another, which waits for what is left of the first and does
+the rest.  Every worker sees FOLDER and DIR under the same paths, and has the program.  In the end `plumb collect DIR` tells what was found.
 """
 
 import argparse
@@ -68,14 +68,15 @@ def _tell(distributed: Any, futures: Sequence[Any], shown: bool) -> None:
 
 def run_shards(folder: str, out: str, *, shards: Optional[int] = None, scheduler: Optional[str] = None,
                program: str = "plumb", time_limit: float = 600, memory_limit: Optional[int] = None,
-               workers: Optional[int] = None, options: Sequence[str] = (), shown: bool = False) -> Shards:
+               workers: Optional[int] = None, command: str = "check", options: Sequence[str] = (),
+               shown: bool = False) -> Shards:
     """Runs all shards of a folder of models, and says which could not be done.
 
     `shards` is how many there are; when not given eight for each thread of a worker.  `scheduler` is the address of one that
     is there; without it this process is one, for `workers` shards at once, or as many as there are processors.  `program`
-    is plumb's, by its path on the workers; `time_limit` (seconds) and `memory_limit` (MiB) are of each model; `options` go
-    to the program as they are.  Raises ImportError where Dask is not installed, ConnectionError where no scheduler
-    answers, and ValueError where a number is none that can be.
+    is plumb's, by its path on the workers; `time_limit` (seconds) and `memory_limit` (MiB) are of each model; `command` is
+    check, clash or repair, whose `options` go to the program as they are.  Raises ImportError where Dask is not installed,
+    ConnectionError where no scheduler answers, and ValueError where a number is none that can be.
     """
     if shards is not None and shards < 1:
         raise ValueError(f"shards is {shards}, and at least 1 is needed")
@@ -88,21 +89,21 @@ def run_shards(folder: str, out: str, *, shards: Optional[int] = None, scheduler
     try:
         threads = sum(client.nthreads().values())
         count = shards or 8 * max(1, threads)
-        command = [program, "check", str(Path(folder).resolve()), "--out", str(Path(out).resolve()), "--quiet",
+        words = [program, command, str(Path(folder).resolve()), "--out", str(Path(out).resolve()), "--quiet",
                    "--time-limit", str(time_limit)]
         if memory_limit is not None:
-            command += ["--memory-limit", str(memory_limit)]
-        command += options
+            words += ["--memory-limit", str(memory_limit)]
+        words += options
 
         def run_shard(number: int) -> str:
             # It is sent to workers as it stands, which need not have this package.
             import subprocess  # pylint: disable=redefined-outer-name,reimported
 
             try:
-                run = subprocess.run([*command, "--shard", f"{number}/{count}"], stdin=subprocess.DEVNULL,
+                run = subprocess.run([*words, "--shard", f"{number}/{count}"], stdin=subprocess.DEVNULL,
                                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False)
             except OSError as error:
-                return f"{command[0]} cannot be run on this worker: {error}"
+                return f"{words[0]} cannot be run on this worker: {error}"
             if run.returncode == 0:
                 return ""
             said = run.stderr.decode(errors="replace").strip()
@@ -135,9 +136,11 @@ def _arguments(words: Optional[Sequence[str]]) -> Tuple[argparse.Namespace, List
         words, rest = words[:at], words[at + 1:]
     parser = argparse.ArgumentParser(prog="python -m plumb.corpus",
                                      description="Check a folder of very many models, in shards that Dask shares out.",
-                                     epilog="What follows '--' are options of 'plumb check'.")
+                                     epilog="What follows '--' are options of the command.")
     parser.add_argument("folder", metavar="FOLDER", help="the models")
     parser.add_argument("--out", required=True, metavar="DIR", help="where the lines of the shards go")
+    parser.add_argument("--command", default="check", choices=("check", "clash", "repair"),
+                        help="what plumb does with each model; else check")
     parser.add_argument("--shards", type=int, metavar="N", help="how many parts; else eight for each thread of a worker")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster that is there; else this machine")
     parser.add_argument("--workers", type=int, metavar="N", help="shards at once on this machine; else as it has processors")
@@ -161,7 +164,7 @@ def main(words: Optional[Sequence[str]] = None) -> int:
         shards = run_shards(asked.folder, asked.out, shards=asked.shards, scheduler=asked.scheduler,
                             program=os.path.abspath(here) if here and asked.scheduler is None else asked.program,
                             time_limit=asked.time_limit, memory_limit=asked.memory_limit, workers=asked.workers,
-                            options=options, shown=not asked.quiet)
+                            command=asked.command, options=options, shown=not asked.quiet)
     except (ImportError, ConnectionError, ValueError) as error:
         print(error, file=sys.stderr)
         return 2

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "plumb/world/clashes.hpp"
+#include "tool/corpus/run_shard.hpp"
 #include "tool/mesh/inputs.hpp"
 #include "tool/terminal/terminal.hpp"
 
@@ -32,6 +33,7 @@ struct ClashArguments {
   std::optional<std::string> json, csv, bcf, page;  // "-" is standard output
   bool overwrite = false;                           // of the page
   unsigned threads = 0;
+  ShardOptions shard;  // else one assembly of all meshes
 };
 
 int run_clash(const ClashArguments& options);

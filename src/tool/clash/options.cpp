@@ -33,6 +33,7 @@ Command clash_command(CLI::App& program) {
              "Write one HTML page, which opens offline: the list beside the scene, each two parts in color");
   parser->add_flag("--overwrite", o.overwrite, "Replace the file of --page where it is there.");
   add_threads(parser, o.threads);
+  add_shard(parser, o.shard);
   return {parser, clash_manual, [options] { return run_clash(*options); }, &o.meshes.words};
 }
 

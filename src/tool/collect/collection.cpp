@@ -60,8 +60,8 @@ CollectedModel model_of(const json& line) {
   return model;
 }
 
-constexpr std::array<std::string_view, 7> bad_verdicts{"crashed", "timeout", "out_of_memory", "unreadable",
-                                                       "refused", "left",    "faulty"};
+constexpr std::array<std::string_view, 8> bad_verdicts{"crashed", "timeout", "out_of_memory", "unreadable",
+                                                       "refused", "left",    "faulty",        "clashing"};
 
 std::vector<std::size_t> worst_of(const std::vector<CollectedModel>& models) {
   const auto rank = [&](std::size_t i) {
