@@ -11,7 +11,7 @@
 #include "plumb/figure/basic/linear.hpp"
 #include "plumb/figure/basic/plane.hpp"
 #include "plumb/figure/basic/relation.hpp"
-#include "plumb/figure/basic/round.hpp"
+#include "query/body/round_axis.hpp"
 
 namespace plumb::query {
 
@@ -47,20 +47,14 @@ inline bool is_point(const Ray3& ray) { return ray.direction == Vector3{0, 0, 0}
 inline bool is_point(const Segment3& s) { return s.a == s.b; }
 inline bool is_point(const ThreePointPlane3& plane) { return plane.a == plane.b && plane.a == plane.c; }
 
-/// Of three points on one line against a shape with an interior.
-Relation relate_spanned_line(const ThreePointPlane3& line, const Cylinder3& shape);
-Relation relate_spanned_line(const ThreePointPlane3& line, const Cone3& shape);
-
-/// Of exact numbers, against a shape whose radius is above zero and whose ends differ.
-Relation relate_exact_line(const Straight<Rational>& line, const Cylinder3& shape);
-Relation relate_exact_line(const Straight<Rational>& line, const Cone3& shape);
+/// Of exact numbers, against a shape that is itself.
+Relation relate_exact_line(const Straight<Rational>& line, const RoundAxis& shape);
 /// All x with normal . x - offset = 0, or <= 0; the normal is not zero.
 struct ExactPlane {
   arith::Vec<Rational> normal;
   Rational offset;
   bool is_halfspace;
 };
-Relation relate_exact_plane(const ExactPlane& plane, const Cylinder3& shape);
-Relation relate_exact_plane(const ExactPlane& plane, const Cone3& shape);
+Relation relate_exact_plane(const ExactPlane& plane, const RoundAxis& shape);
 
 }  // namespace plumb::query

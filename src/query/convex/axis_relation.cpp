@@ -4,34 +4,26 @@
 
 #include "arith/root_sign.hpp"
 #include "query/convex/exact_gap.hpp"
+#include "query/convex/round_parts.hpp"
 
 namespace plumb::query {
 namespace {
 
 /// The axis from its apex, or from an end; a point's height is its share of the axis.
 struct ExactAxis {
-  explicit ExactAxis(const AxisRound& shape) {
-    const auto take = [this](const Point3& a, const Point3& b, double r) {
-      from = {a.x, a.y, a.z};
-      along = Exact3{b.x, b.y, b.z} - from;
-      radius = r;
-    };
-    if (const auto* cone = std::get_if<const Cone3*>(&shape)) {
-      take((*cone)->apex, (*cone)->base, (*cone)->radius);
-      is_cone = true;
-    } else {
-      const Cylinder3& c = *std::get<const Cylinder3*>(shape);
-      take(c.a, c.b, c.radius);
-    }
-    square = dot(along, along);
-  }
+  explicit ExactAxis(const RoundAxis& shape)
+      : from(exact3(shape.from)),
+        along(exact3(shape.to) - from),
+        square(dot(along, along)),
+        radius(shape.radius),
+        is_cone(shape.is_cone) {}
   [[nodiscard]] mpq_class height(const Exact3& p) const { return dot(along, p - from) / square; }
   /// Of a point the way from the axis, turned by a right angle, times the length of the axis.
   [[nodiscard]] Exact3 off(const Exact3& p) const { return cross(along, p - from); }
 
   Exact3 from, along;
   mpq_class square, radius;
-  bool is_cone = false;
+  bool is_cone;
 };
 
 /// What of a set lies between the planes of the ends, and whether its relative interior goes between them.
@@ -142,11 +134,11 @@ Sign sign_of_distance(const Exact3& p, const mpq_class& reach, const ExactAxis& 
 
 }  // namespace
 
-Relation relate_axis_shape(const FlatSet& set, const AxisRound& shape) { return relate_to_axis(set, ExactAxis(shape)); }
-Relation relate_axis_shape(const ExactChains& chains, const AxisRound& shape) {
+Relation relate_axis_shape(const FlatSet& set, const RoundAxis& shape) { return relate_to_axis(set, ExactAxis(shape)); }
+Relation relate_axis_shape(const ExactChains& chains, const RoundAxis& shape) {
   return relate_to_axis(chains, ExactAxis(shape));
 }
-Relation relate_axis_shape(const Exact3& center, const mpq_class& squared_radius, const AxisRound& shape) {
+Relation relate_axis_shape(const Exact3& center, const mpq_class& squared_radius, const RoundAxis& shape) {
   return static_cast<Relation>(-static_cast<int>(sign_of_distance(center, squared_radius, ExactAxis(shape))));
 }
 

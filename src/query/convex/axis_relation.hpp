@@ -13,10 +13,10 @@
 
 namespace plumb::query {
 
-Relation relate_axis_shape(const FlatSet& set, const AxisRound& shape);
+Relation relate_axis_shape(const FlatSet& set, const RoundAxis& shape);
 /// Chains of a polygon, which lie in one plane.
-Relation relate_axis_shape(const ExactChains& chains, const AxisRound& shape);
+Relation relate_axis_shape(const ExactChains& chains, const RoundAxis& shape);
 /// A ball by the square of its radius, which is above zero.
-Relation relate_axis_shape(const Exact3& center, const mpq_class& squared_radius, const AxisRound& shape);
+Relation relate_axis_shape(const Exact3& center, const mpq_class& squared_radius, const RoundAxis& shape);
 
 }  // namespace plumb::query

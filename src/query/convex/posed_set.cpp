@@ -11,17 +11,11 @@ namespace {
 /// The core, and the radius; of polygons neither.
 template <class Shape>
 void fill(PosedSet& s, const Shape& shape) {
-  if constexpr (std::is_same_v<Shape, Cylinder3> || std::is_same_v<Shape, Cone3>) {
-    const auto [from, to] = [&] {
-      if constexpr (std::is_same_v<Shape, Cone3>) {
-        return std::pair{shape.apex, shape.base};
-      } else {
-        return std::pair{shape.a, shape.b};
-      }
-    }();
-    if (from != to && shape.radius > 0) s.axis = &shape;
-    s.core = from == to ? flat_set(from) : flat_set(Segment3{from, to});
-    s.radius = from == to ? shape.radius : 0;
+  if constexpr (requires { axis_of(shape); }) {
+    const RoundAxis axis = axis_of(shape);
+    if (axis.is_itself()) s.axis = axis;
+    s.core = axis.from == axis.to ? flat_set(axis.from) : flat_set(Segment3{axis.from, axis.to});
+    s.radius = axis.from == axis.to ? axis.radius : 0;
   } else if constexpr (std::is_same_v<Shape, SphericalCap3>) {
     if (auto thin = thin_cap(shape)) {
       s.core = std::move(*thin);

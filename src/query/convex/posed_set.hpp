@@ -4,23 +4,21 @@
 // Cost: GMP; what flat_set takes.
 #pragma once
 
+#include <optional>
 #include <string_view>
-#include <variant>
 
 #include "plumb/query/body/posed.hpp"
+#include "query/body/round_axis.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/convex/trapezoids.hpp"
 
 namespace plumb::query {
 
-/// A cylinder or a cone whose ends differ and whose radius is above zero.
-using AxisRound = std::variant<std::monostate, const Cylinder3*, const Cone3*>;
-
 struct PosedSet {
   FlatSet core = {};                   // of what is convex
   ExactChains chains = {};             // of polygons
   mpq_class radius = 0;                // beyond the core
-  AxisRound axis = {};                 // instead of the radius; the core is the axis
+  std::optional<RoundAxis> axis = {};  // that is itself, instead of the radius; the core is the axis
   const SphericalCap3* cap = nullptr;  // that has an interior, instead of the radius and the core
   ExactMap map = {};
   int dimension = 3;  // of the space
@@ -28,7 +26,7 @@ struct PosedSet {
   [[nodiscard]] bool is_empty() const { return core.points.empty() && chains.empty(); }
   [[nodiscard]] bool is_polygon() const { return !chains.empty(); }
   [[nodiscard]] bool is_round() const { return sgn(radius) > 0; }
-  [[nodiscard]] bool has_axis() const { return axis.index() != 0; }
+  [[nodiscard]] bool has_axis() const { return axis.has_value(); }
 };
 
 /// Of what has been looked at: finite numbers, radii that are not negative.  Balls of radius zero are points, caps

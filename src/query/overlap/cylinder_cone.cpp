@@ -37,14 +37,6 @@ struct AxisQuotient {
   T numerator, denominator;
 };
 
-struct RoundAxis {
-  Point3 from, to;
-  double radius;
-  bool is_cone;
-};
-RoundAxis axis_of(const Cylinder3& c) { return {c.a, c.b, c.radius, false}; }
-RoundAxis axis_of(const Cone3& c) { return {c.apex, c.base, c.radius, true}; }
-
 template <class T>
 class LineThroughRound {
  public:
@@ -241,21 +233,10 @@ Relation relate_line(const Line& line, const Cone3& round, Question question) {
   return relate_straight_and_round(line, round, question);
 }
 
-template <class Round>
-Relation relate_spanned(const ThreePointPlane3& line, const Round& round) {
-  if (is_point(line)) return relation_of_point(line.a, round);
-  return exact_crossing(straight<BigDyadic>(line), axis_of(round));
-}
-
-AxisRound as_shape(const Cylinder3& c) { return &c; }
-AxisRound as_shape(const Cone3& c) { return &c; }
-Segment3 axis_segment(const Cylinder3& c) { return {c.a, c.b}; }
-Segment3 axis_segment(const Cone3& c) { return {c.apex, c.base}; }
-
 /// The capsule around a shape parts it from most; where the inside of the axis is met, so is that of the shape.
 template <class Shape, class Round>
 std::optional<Relation> quick_axis_relation(const Shape& s, const Round& round, Question question) {
-  const auto [from, to] = axis_segment(round);
+  const auto [from, to, radius, is_cone] = axis_of(round);
   const auto ask = [&](const auto& other) {
     if constexpr (PairOfTable<Shape, std::remove_cvref_t<decltype(other)>>) {
       return relate_as(question, s, other);
@@ -263,9 +244,9 @@ std::optional<Relation> quick_axis_relation(const Shape& s, const Round& round, 
       return relate(s, other);
     }
   };
-  if (from == to) return ask(Sphere3{from, round.radius});
-  if (round.radius == 0) return ask(Segment3{from, to});
-  if (ask(Capsule3{from, to, round.radius}) == Relation::disjoint) return Relation::disjoint;
+  if (from == to) return ask(Sphere3{from, radius});
+  if (radius == 0) return ask(Segment3{from, to});
+  if (ask(Capsule3{from, to, radius}) == Relation::disjoint) return Relation::disjoint;
   if (relate(s, Segment3{from, to}) == Relation::overlapping) return Relation::overlapping;
   return {};
 }
@@ -276,9 +257,9 @@ Relation relate_axis_round(const Flat& s, const Round& round, Question question)
   if (const auto quick = quick_axis_relation(s, round, question)) return *quick;
   if constexpr (is_one_of(figure_kind<Flat>,
                           {FigureKind::quadrilateral, FigureKind::polygon, FigureKind::holed_polygon})) {
-    return relate_axis_shape(exact_chains(name_of(question), view_of(s)), as_shape(round));
+    return relate_axis_shape(exact_chains(name_of(question), view_of(s)), axis_of(round));
   } else {
-    return relate_axis_shape(flat_set(s), as_shape(round));
+    return relate_axis_shape(flat_set(s), axis_of(round));
   }
 }
 
@@ -294,55 +275,25 @@ Relation relate_ball_and_axis_round(const Sphere3& ball, const Round& round, Que
   if (const auto quick = quick_axis_relation(ball, round, question)) return *quick;
   const auto& [center, r] = ball;
   const mpq_class radius(r);
-  return relate_axis_shape(Exact3{center.x, center.y, center.z}, mpq_class(radius * radius), as_shape(round));
+  return relate_axis_shape(Exact3{center.x, center.y, center.z}, mpq_class(radius * radius), axis_of(round));
 }
 
 }  // namespace
 
-Relation relate_spanned_line(const ThreePointPlane3& line, const Cylinder3& shape) {
-  return relate_spanned(line, shape);
-}
-Relation relate_spanned_line(const ThreePointPlane3& line, const Cone3& shape) { return relate_spanned(line, shape); }
-
-Relation relate_exact_line(const Straight<Rational>& line, const Cylinder3& shape) {
-  return *LineThroughRound<Rational>(line, axis_of(shape)).relation();
-}
-Relation relate_exact_line(const Straight<Rational>& line, const Cone3& shape) {
-  return *LineThroughRound<Rational>(line, axis_of(shape)).relation();
+Relation relate_exact_line(const Straight<Rational>& line, const RoundAxis& shape) {
+  return *LineThroughRound<Rational>(line, shape).relation();
 }
 
-PLUMB_PAIR_ANSWER(Point3, Cylinder3, relate_point)
-PLUMB_PAIR_ANSWER(Point3, Cone3, relate_point)
-PLUMB_PAIR_ANSWER(Line3, Cylinder3, relate_line)
-PLUMB_PAIR_ANSWER(Ray3, Cylinder3, relate_line)
-PLUMB_PAIR_ANSWER(Segment3, Cylinder3, relate_line)
-PLUMB_PAIR_ANSWER(Line3, Cone3, relate_line)
-PLUMB_PAIR_ANSWER(Ray3, Cone3, relate_line)
-PLUMB_PAIR_ANSWER(Segment3, Cone3, relate_line)
-PLUMB_PAIR_ANSWER(Triangle3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Triangle3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Quadrilateral3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Quadrilateral3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Polygon3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Polygon3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(HoledPolygon3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(HoledPolygon3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Rectangle3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Rectangle3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Tetrahedron3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Tetrahedron3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Sphere3, Cylinder3, relate_ball_and_axis_round)
-PLUMB_PAIR_ANSWER(Sphere3, Cone3, relate_ball_and_axis_round)
-PLUMB_PAIR_ANSWER(Aabb3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Aabb3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Obb3, Cylinder3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Obb3, Cone3, relate_axis_round)
-PLUMB_PAIR_ANSWER(Cylinder3, KDop3, relate_axis_round_last)
-PLUMB_PAIR_ANSWER(Cylinder3, HalfspaceIntersection3, relate_axis_round_last)
-PLUMB_PAIR_ANSWER(Cylinder3, ConvexPolyhedron3, relate_axis_round_last)
-PLUMB_PAIR_ANSWER(Cone3, KDop3, relate_axis_round_last)
-PLUMB_PAIR_ANSWER(Cone3, HalfspaceIntersection3, relate_axis_round_last)
-PLUMB_PAIR_ANSWER(Cone3, ConvexPolyhedron3, relate_axis_round_last)
+PLUMB_PAIR_ANSWERS_OF(Point3, relate_point, Cylinder3, Cone3)
+PLUMB_PAIR_ANSWERS_TO(Cylinder3, relate_line, Line3, Ray3, Segment3)
+PLUMB_PAIR_ANSWERS_TO(Cone3, relate_line, Line3, Ray3, Segment3)
+PLUMB_PAIR_ANSWERS_TO(Cylinder3, relate_axis_round, Triangle3, Quadrilateral3, Polygon3, HoledPolygon3, Rectangle3,
+                      Tetrahedron3, Aabb3, Obb3)
+PLUMB_PAIR_ANSWERS_TO(Cone3, relate_axis_round, Triangle3, Quadrilateral3, Polygon3, HoledPolygon3, Rectangle3,
+                      Tetrahedron3, Aabb3, Obb3)
+PLUMB_PAIR_ANSWERS_OF(Sphere3, relate_ball_and_axis_round, Cylinder3, Cone3)
+PLUMB_PAIR_ANSWERS_OF(Cylinder3, relate_axis_round_last, KDop3, HalfspaceIntersection3, ConvexPolyhedron3)
+PLUMB_PAIR_ANSWERS_OF(Cone3, relate_axis_round_last, KDop3, HalfspaceIntersection3, ConvexPolyhedron3)
 
 }  // namespace query
 }  // namespace plumb

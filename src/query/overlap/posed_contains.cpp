@@ -62,7 +62,7 @@ class PosedHolding {
   bool round_holds_points() const {
     return std::ranges::all_of(parts_.parts, [&](const RoundPart& part) {
       const FlatSet seen = preimage(outer_.map, point_set(image(inner_.map, part.at))).set;
-      if (outer_.has_axis()) return relate_axis_shape(seen, outer_.axis) != Relation::disjoint;
+      if (outer_.has_axis()) return relate_axis_shape(seen, *outer_.axis) != Relation::disjoint;
       const auto square = squared_distance(outer_.core, seen);
       return square && *square <= outer_.radius * outer_.radius;
     });

@@ -34,17 +34,6 @@ Relation relate_near(const FlatSet& a, const mpq_class& a_reach, const FlatSet& 
   return square ? static_cast<Relation>(sign_of_roots(a_reach, b_reach, *square)) : Relation::disjoint;
 }
 
-Relation relate_axis_line(const Straight<Rational>& line, const AxisRound& shape) {
-  const auto* cone = std::get_if<const Cone3*>(&shape);
-  return cone != nullptr ? relate_exact_line(line, **cone)
-                         : relate_exact_line(line, *std::get<const Cylinder3*>(shape));
-}
-Relation relate_axis_plane(const ExactPlane& plane, const AxisRound& shape) {
-  const auto* cone = std::get_if<const Cone3*>(&shape);
-  return cone != nullptr ? relate_exact_plane(plane, **cone)
-                         : relate_exact_plane(plane, *std::get<const Cylinder3*>(shape));
-}
-
 /// One question, of figures that doubles did not tell.
 class PosedRelation {
  public:
@@ -153,15 +142,15 @@ class PosedRelation {
   Relation axis_with(const PosedSet& round, const PosedSet& other) const {
     if (other.is_polygon() || other.is_round()) return axis_with_uneven(round, other);
     const Preimage part = preimage(round.map, image(other));
-    return of_part(flat_with(part.set, round.axis), part.of_inside);
+    return of_part(flat_with(part.set, *round.axis), part.of_inside);
   }
   Relation axis_with_uneven(const PosedSet& round, const PosedSet& other) const {
     if (is_singular(round.map)) refuse("a pose flattens the shape; give one whose matrix is not singular");
     const ExactMap seen = composed(inverse(round.map), other.map);
-    if (other.is_polygon()) return relate_axis_shape(image(seen, other.chains), round.axis);
+    if (other.is_polygon()) return relate_axis_shape(image(seen, other.chains), *round.axis);
     const auto scale = squared_scale(seen, 3);
     if (!scale) refuse("the ball is none as the shape sees it; ", ", or columns at right angles and of one length");
-    return relate_axis_shape(image(seen, other.core.points[0]), other.radius * other.radius * *scale, round.axis);
+    return relate_axis_shape(image(seen, other.core.points[0]), other.radius * other.radius * *scale, *round.axis);
   }
 
   /// As the cap sees the other before its pose: a flat convex set or a ball.
@@ -178,7 +167,7 @@ class PosedRelation {
     return relate_exact_cap(image(seen, other.core.points[0]), other.radius * other.radius * *scale, *s.cap);
   }
 
-  Relation flat_with(const FlatSet& s, const AxisRound& shape) const {
+  Relation flat_with(const FlatSet& s, const RoundAxis& shape) const {
     std::vector<Exact3> points = s.points, lines;
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -194,7 +183,7 @@ class PosedRelation {
       return arith::Vec<Rational>{exact_number(v[0]), exact_number(v[1]), exact_number(v[2])};
     };
     const auto line = [&](const Exact3& along, bool starts, bool stops) {
-      return relate_axis_line(Straight<Rational>{vector(points[0]), vector(along), starts, stops}, shape);
+      return relate_exact_line(Straight<Rational>{vector(points[0]), vector(along), starts, stops}, shape);
     };
     if (lines.empty() && ways == 0 && ends <= 2) return line(points.back() - points[0], true, true);
     if (lines.empty() && ways == 1 && ends == 1) return line(s.directions[0], true, false);
@@ -202,7 +191,7 @@ class PosedRelation {
     if (lines.size() == 2 && ways <= 1 && ends == 1) {
       Exact3 normal = cross(lines[0], lines[1]);
       if (ways == 1 && sgn(dot(normal, s.directions[0])) > 0) normal = mpq_class(-1) * normal;
-      return relate_axis_plane({vector(normal), exact_number(dot(normal, points[0])), ways == 1}, shape);
+      return relate_exact_plane({vector(normal), exact_number(dot(normal, points[0])), ways == 1}, shape);
     }
     return relate_axis_shape(s, shape);
   }

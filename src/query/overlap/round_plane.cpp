@@ -4,6 +4,7 @@
 #include "arith/running_error.hpp"
 #include "figure/swept_sphere/core_distance.hpp"
 #include "plumb/certify/direction.hpp"
+#include "plumb/figure/containment/contains.hpp"
 #include "plumb/predicates/plane_distance.hpp"
 #include "query/body/axis_shape.hpp"
 #include "query/body/figure_input.hpp"
@@ -162,9 +163,13 @@ bool has_sides(const auto& plane) { return plane.normal.x != 0 || plane.normal.y
 bool has_sides(const ThreePointPlane3& plane) { return !collinear(plane.a, plane.b, plane.c); }
 
 /// The shape where it is no ball, segment or cone of another kind in disguise.
-bool is_itself(const Cylinder3& c) { return c.radius > 0 && c.a != c.b; }
-bool is_itself(const Cone3& c) { return c.radius > 0 && c.apex != c.base; }
-bool is_itself(const auto& round) { return round.radius > 0; }
+bool is_itself(const auto& round) {
+  if constexpr (requires { axis_of(round); }) {
+    return axis_of(round).is_itself();
+  } else {
+    return round.radius > 0;
+  }
+}
 
 template <class Plane, class Round>
 Relation relate_round_shape(const Plane& plane, const Round& round, Question question) {
@@ -175,18 +180,19 @@ Relation relate_round_shape(const Plane& plane, const Round& round, Question que
     if (const auto sides = sides_of<Running>(plane, round)) return relation_of(*sides, of_halfspace);
   }
   require_figures(question, plane, round);
-  if constexpr (std::is_same_v<Round, Cylinder3>) {
-    if (round.a == round.b) return relate(plane, Sphere3{round.a, round.radius});
-    if (round.radius == 0) return relate_swept(flat_set(Segment3{round.a, round.b}), 0, flat_set(plane));
-  } else if constexpr (std::is_same_v<Round, Cone3>) {
-    if (round.apex == round.base) return relate(plane, Sphere3{round.apex, round.radius});
-    if (round.radius == 0) return relate_swept(flat_set(Segment3{round.apex, round.base}), 0, flat_set(plane));
+  if constexpr (requires { axis_of(round); }) {
+    const auto [from, to, radius, is_cone] = axis_of(round);
+    if (from == to) return relate(plane, Sphere3{from, radius});
+    if (radius == 0) return relate_swept(flat_set(Segment3{from, to}), 0, flat_set(plane));
   } else if (round.radius == 0) {
     return relate_swept(core_of(round), 0, flat_set(plane));
   }
   if (has_sides(plane)) return relation_of(*sides_of<BigDyadic>(plane, round), of_halfspace);
-  if constexpr (std::is_same_v<Round, Cylinder3> || std::is_same_v<Round, Cone3>) {
-    if constexpr (std::is_same_v<Plane, ThreePointPlane3>) return relate_spanned_line(plane, round);
+  if constexpr (requires { axis_of(round); }) {
+    if constexpr (std::is_same_v<Plane, ThreePointPlane3>) {
+      if (is_point(plane)) return static_cast<Relation>(locate(round, plane.a));
+      return relate_exact_line(straight<Rational>(plane), axis_of(round));
+    }
     return flat_set(plane).points.empty() ? Relation::disjoint : Relation::overlapping;  // nothing or all of space
   } else {
     return relate_swept(core_of(round), round.radius, flat_set(plane));
@@ -195,31 +201,19 @@ Relation relate_round_shape(const Plane& plane, const Round& round, Question que
 
 }  // namespace
 
-Relation relate_exact_plane(const ExactPlane& plane, const Cylinder3& shape) {
-  return relation_of(*sides_of<Rational>(plane, shape), plane.is_halfspace);
-}
-Relation relate_exact_plane(const ExactPlane& plane, const Cone3& shape) {
-  return relation_of(*sides_of<Rational>(plane, shape), plane.is_halfspace);
+Relation relate_exact_plane(const ExactPlane& plane, const RoundAxis& shape) {
+  const auto& [from, to, radius, is_cone] = shape;
+  const auto sides = is_cone ? sides_of<Rational>(plane, Cone3{from, to, radius})
+                             : sides_of<Rational>(plane, Cylinder3{from, to, radius});
+  return relation_of(*sides, plane.is_halfspace);
 }
 
 constinit const double plane_constant = filter_constant<predicates::NormalDistanceAgainst3d>();
 static_assert(filter_constant<predicates::SideOfPlane>() <= filter_constant<predicates::NormalDistanceAgainst3d>());
 
-PLUMB_PAIR_ANSWER(Plane3, Sphere3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Plane3, Capsule3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Plane3, Lozenge3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Plane3, Cylinder3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Plane3, Cone3, relate_round_shape)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Sphere3, relate_round_shape)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Capsule3, relate_round_shape)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Lozenge3, relate_round_shape)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Cylinder3, relate_round_shape)
-PLUMB_PAIR_ANSWER(ThreePointPlane3, Cone3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Halfspace3, Sphere3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Halfspace3, Capsule3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Halfspace3, Lozenge3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Halfspace3, Cylinder3, relate_round_shape)
-PLUMB_PAIR_ANSWER(Halfspace3, Cone3, relate_round_shape)
+PLUMB_PAIR_ANSWERS_OF(Plane3, relate_round_shape, Sphere3, Capsule3, Lozenge3, Cylinder3, Cone3)
+PLUMB_PAIR_ANSWERS_OF(ThreePointPlane3, relate_round_shape, Sphere3, Capsule3, Lozenge3, Cylinder3, Cone3)
+PLUMB_PAIR_ANSWERS_OF(Halfspace3, relate_round_shape, Sphere3, Capsule3, Lozenge3, Cylinder3, Cone3)
 
 }  // namespace query
 }  // namespace plumb
