@@ -4,7 +4,6 @@
 
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/hull/hull3.hpp"
-#include "plumb/figure/k_dop/k_dop.hpp"
 #include "plumb/figure/obb/fits.hpp"
 #include "plumb/figure/sphere/minimum_sphere.hpp"
 #include "world/placed.hpp"
@@ -35,8 +34,6 @@ std::optional<AnyFigure> fitted(const std::vector<Point3>& points, ProxyKind kin
       return AnyFigure(minimum_sphere(points).sphere);
     case ProxyKind::obb:
       return AnyFigure(fit_obb_around_principal(points));
-    case ProxyKind::k_dop:
-      return AnyFigure(fit_k_dop(points, 18));
     case ProxyKind::hull:
       if (const Hull3 hull = convex_hull(points); hull.dimension == 3)
         return AnyFigure(convex_polyhedron(hull, points));
@@ -78,7 +75,7 @@ std::optional<AnyFigure> proxy_around(const std::vector<Point3>& points, ProxyKi
 }  // namespace world
 
 std::string_view name_of(ProxyKind kind) {
-  constexpr std::array<std::string_view, proxy_kinds> names{"none", "sphere", "box", "k-dop", "hull"};
+  constexpr std::array<std::string_view, proxy_kinds> names{"none", "sphere", "box", "hull"};
   return names[static_cast<std::size_t>(kind)];
 }
 

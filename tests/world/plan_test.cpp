@@ -18,7 +18,7 @@ namespace {
 
 using drawn_world::Drawn;
 
-constexpr std::array kinds{ProxyKind::sphere, ProxyKind::obb, ProxyKind::k_dop, ProxyKind::hull};
+constexpr std::array kinds{ProxyKind::sphere, ProxyKind::obb, ProxyKind::hull};
 
 /// A closed ring of square section around the z axis, of which the hull has much more than it.
 TriangleMesh ring(double radius, double thickness, std::uint32_t sides) {
@@ -64,8 +64,8 @@ TEST(ProxyOf, HoldsTheBody) {
     }
   }
   std::printf("%d proxies, %d of which miss\n", made, missed);
-  EXPECT_GT(made, 300);
-  EXPECT_GT(missed, 150);
+  EXPECT_GT(made, 200);
+  EXPECT_GT(missed, 120);
 }
 
 TEST(ProxyOf, IsMadeOfAMeshOnceAndOfAFlatOneHasNoHull) {

@@ -30,10 +30,10 @@
 
 namespace plumb {
 
-/// What may be asked in place of a body first: a Sphere3, an Obb3, a KDop3 of 18 sides or a ConvexPolyhedron3.
-enum class ProxyKind : unsigned char { none, sphere, obb, k_dop, hull };
-inline constexpr std::size_t proxy_kinds = 5;
-std::string_view name_of(ProxyKind kind);  // "none", "sphere", "box", "k-dop", "hull"
+/// What may be asked in place of a body first: a Sphere3, an Obb3 or a ConvexPolyhedron3.
+enum class ProxyKind : unsigned char { none, sphere, obb, hull };
+inline constexpr std::size_t proxy_kinds = 4;
+std::string_view name_of(ProxyKind kind);  // "none", "sphere", "box", "hull"
 
 /// A mesh with its tree, which never changes.
 class SharedMesh {

@@ -7,7 +7,7 @@
 // What is counted are questions about two figures, or triangles: those that commit() would ask of the pairs whose boxes
 // overlap now, and that no filter leaves out, if none was known.  Of two meshes these are the pairs of triangles near the
 // other mesh whose boxes overlap.  A pair of which a body has a proxy costs one question more, and saves all others where
-// the proxies are apart.
+// the proxies are apart.  Pairs that meet count as if no question told so before the last.
 // Laws: (1) questions_with is at most questions_without, and the counts depend on the world alone.  (2) A proxy is taken only
 // where its body saves questions by it, with what the others take: saved is then how many more there would be without it,
 // one at least.  (3) Taking or leaving any proxy alone saves no more.  (4) The answers of a world that adopts a plan, of
