@@ -29,6 +29,8 @@ inline void add_directions(Generators& g, const std::vector<Coordinates>& direct
   g.rays.push_back(against);
 }
 
+inline Generators generated(const Point2& p) { return {{of(p)}, {}}; }
+inline Generators generated(const Point3& p) { return {{of(p)}, {}}; }
 template <class Line>
 requires(std::is_same_v<Line, Line2> || std::is_same_v<Line, Line3>) Generators generated(const Line& l) {
   Generators g{{of(l.point)}, {}};

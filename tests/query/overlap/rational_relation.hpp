@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "plumb/figure.hpp"
+#include "query/body/exact_sets.hpp"
 
 namespace plumb::oracle {
 
@@ -32,83 +33,18 @@ inline RationalPoint rational(const Point2& p) { return {mpq_class(p.x), mpq_cla
 inline RationalPoint rational(const Vector2& p) { return {mpq_class(p.x), mpq_class(p.y), 0}; }
 inline RationalPoint opposite(const RationalPoint& v) { return {-v[0], -v[1], -v[2]}; }
 
+/// What lies in the plane lies in z = 0.
 template <class Shape>
 Spanned spanned(const Shape& s) {
+  const exact::Generators g = exact::generated(s);
   Spanned all;
-  const auto add = [&](const auto&... p) { (all.points.push_back(rational(p)), ...); };
-  if constexpr (requires { s.direction; }) {
-    const RationalPoint d = rational(s.direction);
-    all.directions.push_back(d);
-    if constexpr (requires { s.point; }) {
-      add(s.point);
-      all.directions.push_back(opposite(d));
-    } else {
-      add(s.origin);
-    }
-  } else if constexpr (requires { s.axes; }) {
-    const std::array half{s.half.x, s.half.y, s.half.z};
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      RationalPoint p = rational(s.center);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const RationalPoint axis = rational(s.axes[i]);
-        const mpq_class by = (corner >> i & 1u) != 0 ? mpq_class(half[i]) : -mpq_class(half[i]);
-        for (std::size_t k = 0; k < 3; ++k) p[k] += by * axis[k];
-      }
-      all.points.push_back(p);
-    }
-  } else if constexpr (requires { s.min.z; }) {
-    const auto& [a, b] = s;
-    if (a.x > b.x || a.y > b.y || a.z > b.z) return all;
-    for (unsigned corner = 0; corner < 8; ++corner)
-      add(Point3{corner & 1u ? b.x : a.x, corner & 2u ? b.y : a.y, corner & 4u ? b.z : a.z});
-  } else if constexpr (requires { s.min; }) {
-    const auto& [a, b] = s;
-    if (a.x > b.x || a.y > b.y) return all;
-    for (unsigned corner = 0; corner < 4; ++corner) add(Point2{corner & 1u ? b.x : a.x, corner & 2u ? b.y : a.y});
-  } else if constexpr (requires { s.d; }) {
-    add(s.a, s.b, s.c, s.d);
-  } else if constexpr (requires { s.c; }) {
-    add(s.a, s.b, s.c);
-  } else if constexpr (requires { s.a; }) {
-    add(s.a, s.b);
-  } else {
-    add(s);
-  }
+  const auto in_space = [](const exact::Coordinates& v) {
+    return RationalPoint{v[0], v[1], v.size() == 3 ? v[2] : mpq_class(0)};
+  };
+  for (const exact::Coordinates& p : g.points) all.points.push_back(in_space(p));
+  for (const exact::Coordinates& d : g.rays) all.directions.push_back(in_space(d));
   return all;
 }
-
-/// The affine hull of three points.
-inline Spanned spanned(const ThreePointPlane3& plane) {
-  Spanned all{{rational(plane.a)}, {}};
-  for (const Point3& p : {plane.b, plane.c}) {
-    RationalPoint d = rational(p);
-    for (std::size_t k = 0; k < 3; ++k) d[k] -= all.points[0][k];
-    all.directions.push_back(d);
-    all.directions.push_back(opposite(d));
-  }
-  return all;
-}
-
-/// A normal that is zero leaves all of space or nothing.
-inline Spanned spanned_by_normal(const Vector3& normal, double offset, bool halfspace) {
-  const RationalPoint n = rational(normal), x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  if (normal == Vector3{0, 0, 0}) {
-    if (halfspace ? offset < 0 : offset != 0) return {};
-    return {{{0, 0, 0}}, {x, opposite(x), y, opposite(y), z, opposite(z)}};
-  }
-  const mpq_class square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-  const mpq_class by = mpq_class(offset) / square;
-  Spanned all{{{by * n[0], by * n[1], by * n[2]}}, {}};
-  for (const RationalPoint& d :
-       {RationalPoint{n[1], -n[0], 0}, RationalPoint{n[2], 0, -n[0]}, RationalPoint{0, n[2], -n[1]}}) {
-    all.directions.push_back(d);
-    all.directions.push_back(opposite(d));
-  }
-  if (halfspace) all.directions.push_back(opposite(n));
-  return all;
-}
-inline Spanned spanned(const Plane3& plane) { return spanned_by_normal(plane.normal, plane.offset, false); }
-inline Spanned spanned(const Halfspace3& half) { return spanned_by_normal(half.normal, half.offset, true); }
 
 /// max of the common weight over five equations; artificial columns are driven out by a cost beyond all others.
 class CommonWeight {
