@@ -10,6 +10,7 @@
 #include "degenerate/rational_signs.hpp"
 #include "figure/basic/rational_polygon.hpp"
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/thrown.hpp"
 #include "plumb/degenerate/cloud.hpp"
 #include "plumb/figure/basic/convexity.hpp"
 #include "plumb/figure/measures/measures.hpp"
@@ -32,12 +33,7 @@ PolygonMesh mesh_of(std::vector<Point3> vertices, const Faces& faces) {
 }
 
 std::string refusal(const PolygonMesh& mesh) {
-  try {
-    convex_polyhedron(mesh);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "nothing thrown";
+  return text_of<Error>([&] { convex_polyhedron(mesh); });
 }
 
 /// A chain of points as the floor (z = 0), and again as the roof (z = 1); walls, and the two caps given as faces of
@@ -446,12 +442,7 @@ TEST(CheckPolyhedron, NamesWhatIsWrong) {
   const auto refused = [&](const auto& change) -> std::string {
     ConvexPolyhedron3 p = good;
     change(p);
-    try {
-      check_polyhedron(p, "asked");
-    } catch (const InvalidShape& e) {
-      return e.what();
-    }
-    return "nothing thrown";
+    return text_of<InvalidShape>([&] { check_polyhedron(p, "asked"); });
   };
   const std::string by = "; make it by convex_polyhedron";
   EXPECT_EQ(refused([](auto& p) {

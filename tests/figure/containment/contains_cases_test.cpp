@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/thrown.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/figure/containment/contains.hpp"
 
@@ -302,16 +303,6 @@ TEST(ContainsCases, NumbersInBracesAreAPoint) {
   EXPECT_FALSE(contains(Capsule3{{0, 0, 0}, {1, 0, 0}, 1}, {1, 0, 2}));
 }
 
-template <class Call>
-std::string refusal(Call call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "nothing is refused";
-}
-
 /// Every number of the shape and the point in turn.
 template <class Shape, class Point>
 void refuse_non_finite() {
@@ -325,14 +316,14 @@ void refuse_non_finite() {
         const double was = std::exchange(t, bad);
         EXPECT_THROW(static_cast<void>(locate(shape_of<Shape>(x), p)), NonFinite);
         EXPECT_THROW(static_cast<void>(contains(shape_of<Shape>(x), p)), NonFinite);
-        EXPECT_THAT(refusal([&] { locate(shape_of<Shape>(x), p); }), HasSubstr("contains: "));
+        EXPECT_THAT(text_of<Error>([&] { locate(shape_of<Shape>(x), p); }), HasSubstr("contains: "));
         t = was;
       }
       Numbers<Point> q{};
       for (double& t : q) {
         t = bad;
         EXPECT_THROW(static_cast<void>(locate(shape_of<Shape>(x), shape_of<Point>(q))), NonFinite);
-        EXPECT_THAT(refusal([&] { locate(shape_of<Shape>(x), shape_of<Point>(q)); }), HasSubstr("contains: p."));
+        EXPECT_THAT(text_of<Error>([&] { locate(shape_of<Shape>(x), shape_of<Point>(q)); }), HasSubstr("contains: p."));
         t = 0;
       }
     }
@@ -354,25 +345,30 @@ TEST(ContainsRefuses, WhatIsNoNumber) {
                   Rectangle3>();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Point3 p{0, 0, 0};
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               contains(Sphere3{{0, 0, 0}, nan}, p);
             }),
             "contains: sphere.radius is nan, not a real number; give a finite double");
-  EXPECT_THAT(refusal([&] {
+  EXPECT_THAT(text_of<Error>([&] {
                 contains(Obb3{{}, {{{}, {0, nan, 0}, {}}}, {}}, p);
               }),
               HasSubstr("contains: obb.axes[1].y is nan"));
-  EXPECT_THAT(refusal([&] { contains(Aabb3{{0, 0, 0}, {1, 1, nan}}, p); }), HasSubstr("contains: aabb.max.z is nan"));
+  EXPECT_THAT(text_of<Error>([&] {
+                contains(Aabb3{{0, 0, 0}, {1, 1, nan}}, p);
+              }),
+              HasSubstr("contains: aabb.max.z is nan"));
   HalfspaceIntersection3 wedge{{{{1, 0, 0}, -1}, {{0, 1, 0}, nan}}};
-  EXPECT_THAT(refusal([&] { contains(wedge, p); }), HasSubstr("contains: intersection.halfspaces[1].offset is nan"));
+  EXPECT_THAT(text_of<Error>([&] { contains(wedge, p); }),
+              HasSubstr("contains: intersection.halfspaces[1].offset is nan"));
   wedge.halfspaces[1] = {{0, nan, 0}, 0};
-  EXPECT_THAT(refusal([&] { contains(wedge, p); }), HasSubstr("contains: intersection.halfspaces[1].normal.y is nan"));
-  EXPECT_THAT(refusal([&] { contains(HalfspaceIntersection2{}, {0, nan}); }), HasSubstr("contains: p.y is nan"));
+  EXPECT_THAT(text_of<Error>([&] { contains(wedge, p); }),
+              HasSubstr("contains: intersection.halfspaces[1].normal.y is nan"));
+  EXPECT_THAT(text_of<Error>([&] { contains(HalfspaceIntersection2{}, {0, nan}); }), HasSubstr("contains: p.y is nan"));
 }
 
 TEST(ContainsRefuses, NegativeRadii) {
   const Point3 p{9, 9, 9};
-  EXPECT_EQ(refusal([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               contains(Sphere3{{0, 0, 0}, -1}, p);
             }),
             "contains: sphere.radius is negative; give zero or more");

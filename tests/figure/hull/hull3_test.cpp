@@ -12,6 +12,7 @@
 
 #include "certify/sanitized.hpp"
 #include "degenerate/rational_signs.hpp"
+#include "figure/basic/thrown.hpp"
 #include "oracle/cgal_hulls.hpp"
 #include "plumb/arith/error.hpp"
 #include "plumb/degenerate/cloud.hpp"
@@ -302,14 +303,7 @@ TEST(Hull3, OfALatticeHasEightVertices) {
 
 TEST(Hull3, RefusesWhatIsNoNumber) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const auto text = [](const Points& points) -> std::string {
-    try {
-      convex_hull(points);
-    } catch (const NonFinite& error) {
-      return error.what();
-    }
-    return "";
-  };
+  const auto text = [](const Points& points) { return text_of<NonFinite>([&] { convex_hull(points); }); };
   EXPECT_TRUE(text({{0, 0, 0}, {1, nan, 0}}).starts_with("convex_hull: points[1].y is nan"));
   EXPECT_TRUE(text({{0, 0, -inf}}).starts_with("convex_hull: points[0].z is -inf"));
   EXPECT_THROW(verify_hull({}, Points{{nan, 0, 0}}), NonFinite);

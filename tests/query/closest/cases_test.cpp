@@ -7,6 +7,7 @@
 
 #include "arith/difference_search.hpp"
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/thrown.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/query/closest/closest.hpp"
 #include "query/closest/oracle.hpp"
@@ -364,16 +365,6 @@ TEST(ClosestTest, TiesAreTheLowestFeatures) {
   EXPECT_EQ(closest_points(Point2{0, 0.5}, frame).on_b, (Point2{0, 1}));
   const Polygon2 bow{{{0, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 3}, {0, 3}}};
   EXPECT_EQ(closest_points(Point2{-1, -1}, bow).feature_b, (Feature{vertex, 0}));
-}
-
-template <class Thrown, class Call>
-std::string text_of(Call call) {
-  try {
-    call();
-  } catch (const Thrown& e) {
-    return e.what();
-  }
-  return "nothing thrown";
 }
 
 TEST(ClosestTest, BadInputIsNamed) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "figure/basic/thrown.hpp"
 #include "oracle/straight.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/degenerate/coordinates.hpp"
@@ -322,23 +323,18 @@ TEST(ClosestPairs, DegenerateShapesAreTheSetsTheyAre) {
 
 TEST(ClosestPairs, WhatIsNoNumberIsNamed) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto message = [](auto ask) -> std::string {
-    try {
-      ask();
-    } catch (const NonFinite& e) {
-      return e.what();
-    }
-    return "nothing thrown";
-  };
   const Triangle3 t{{0, 0, 0}, {8, 0, 0}, {0, nan, 0}};
   const Segment3 s{{0, 0, 1}, {1, 1, 1}};
-  EXPECT_EQ(message([&] { closest_points(s, t); }).find("closest_points: triangle.c.y is nan"), 0u);
-  EXPECT_EQ(message([&] { distance(Ray3{{0, 0, nan}, {1, 0, 0}}, s); }).find("distance: ray.origin.z is nan"), 0u);
-  EXPECT_EQ(message([&] {
+  EXPECT_EQ(text_of<NonFinite>([&] { closest_points(s, t); }).find("closest_points: triangle.c.y is nan"), 0u);
+  EXPECT_EQ(text_of<NonFinite>([&] {
+              distance(Ray3{{0, 0, nan}, {1, 0, 0}}, s);
+            }).find("distance: ray.origin.z is nan"),
+            0u);
+  EXPECT_EQ(text_of<NonFinite>([&] {
               distance(Line3{{0, 0, nan}, {0, 0, 0}}, Line3{{0, 0, 0}, {0, 0, 0}});
             }).find("distance: a.point.z is nan"),
             0u);
-  EXPECT_EQ(message([&] {
+  EXPECT_EQ(text_of<NonFinite>([&] {
               squared_distance_exact(Segment2{{0, 0}, {1 / 0.0, 0}}, Segment2{});
             }).find("squared_distance_exact: a.b.x is inf"),
             0u);

@@ -9,6 +9,7 @@
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/thrown.hpp"
 #include "plumb/figure/hull/hull2.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "query/body/exact_sets.hpp"
@@ -215,27 +216,19 @@ TEST(Containment, NothingAndForever) {
 }
 
 TEST(Containment, BadInputIsNamed) {
-  const auto said = [](const auto& ask) -> std::string {
-    try {
-      ask();
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "nothing thrown";
-  };
-  EXPECT_EQ(said([] {
+  EXPECT_EQ(text_of<Error>([] {
               (void)contains(Aabb3{{0, 0, 0}, {1, 1, NAN}}, Sphere3{});
             }),
             "contains: aabb.max.z is nan, not a real number; give a finite double");
-  EXPECT_EQ(said([] {
+  EXPECT_EQ(text_of<Error>([] {
               (void)contains(Sphere3{{0, 0, 0}, -1}, Obb3{});
             }),
             "contains: sphere.radius is negative; give zero or more");
-  EXPECT_EQ(said([] {
+  EXPECT_EQ(text_of<Error>([] {
               (void)contains(Polygon2{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}, Circle2{});
             }),
             "contains: the outer polygon is not convex; ask its convex pieces, or locate points in it");
-  EXPECT_EQ(said([] {
+  EXPECT_EQ(text_of<Error>([] {
               (void)contains(Polygon3{{{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}}}, Segment3{});
             }),
             "contains: the outer polygon is not planar");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "figure/basic/powers_of_two.hpp"
+#include "figure/basic/thrown.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/overlap/axis_oracle.hpp"
 
@@ -218,51 +219,44 @@ TEST(OverlapRoundLaws, OrderOfCornersAndExactTranslation) {
   }
 }
 
-template <class Call>
-std::string failure(Call call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "nothing";
-}
-
 TEST(OverlapRoundBadInput, NamesThePart) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   const Sphere3 ball{{0, 0, 0}, 1};
   const auto expect = [](const std::string& text, std::string_view start) {
     EXPECT_EQ(text.substr(0, start.size()), start);
   };
-  expect(failure([&] {
+  expect(text_of<Error>([&] {
            (void)relate(Triangle3{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, ball);
          }),
          "relate: triangle.c.y is nan");
-  expect(failure([&] { (void)relate(ball, Aabb3{{0, 0, 0}, {1, infinite, 1}}); }), "relate: aabb.max.y is inf");
-  expect(failure([&] { (void)relate(Line3{{0, 0, 0}, {1, nan, 0}}, ball); }), "relate: line.direction.y is nan");
-  expect(failure([&] { (void)relate(Plane3{{0, 0, 1}, nan}, ball); }), "relate: plane.offset is nan");
-  expect(failure([&] {
+  expect(text_of<Error>([&] { (void)relate(ball, Aabb3{{0, 0, 0}, {1, infinite, 1}}); }), "relate: aabb.max.y is inf");
+  expect(text_of<Error>([&] { (void)relate(Line3{{0, 0, 0}, {1, nan, 0}}, ball); }), "relate: line.direction.y is nan");
+  expect(text_of<Error>([&] { (void)relate(Plane3{{0, 0, 1}, nan}, ball); }), "relate: plane.offset is nan");
+  expect(text_of<Error>([&] {
            (void)relate(Segment3{{0, 0, 0}, {1, 0, 0}}, Cylinder3{{0, 0, 0}, {1, 0, 0}, nan});
          }),
          "relate: cylinder.radius is nan");
-  expect(failure([&] {
+  expect(text_of<Error>([&] {
            (void)relate(Segment3{{0, 0, 0}, {1, 0, 0}}, Capsule3{{0, 0, 0}, {1, 0, 0}, -1});
          }),
          "relate: capsule.radius is negative");
-  expect(failure([&] {
+  expect(text_of<Error>([&] {
            (void)relate(Plane3{{0, 0, 1}, 0}, Cone3{{0, 0, 0}, {1, 0, 0}, -1});
          }),
          "relate: cone.radius is negative");
-  expect(failure([&] {
+  expect(text_of<Error>([&] {
            (void)relate(Polygon3{{{0, 0, 0}, {1, 0, 0}}}, ball);
          }),
          "relate: polygon.vertices has 2 vertices");
-  expect(failure([&] {
+  expect(text_of<Error>([&] {
            (void)relate(Quadrilateral3{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1}}, ball);
          }),
          "relate: the quadrilateral is not planar");
-  expect(failure([&] { (void)relate(Circle2{{0, nan}, 1}, Aabb2{{0, 0}, {1, 1}}); }), "relate: circle.center.y is nan");
-  expect(failure([&] {
+  expect(text_of<Error>([&] {
+           (void)relate(Circle2{{0, nan}, 1}, Aabb2{{0, 0}, {1, 1}});
+         }),
+         "relate: circle.center.y is nan");
+  expect(text_of<Error>([&] {
            (void)relate(Sphere3{{0, 0, 0}, -1}, KDop3{k_dop_directions(6), {0, 0, 0}, {1, 1, 1}});
          }),
          "relate: sphere.radius is negative");

@@ -7,6 +7,7 @@
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/thrown.hpp"
 #include "plumb/figure/basic/convexity.hpp"
 #include "plumb/query/section/intersection.hpp"
 #include "query/body/exact_sets.hpp"
@@ -125,24 +126,16 @@ TEST(Flat, InEitherOrder) {
 }
 
 TEST(Flat, BadInputIsNamed) {
-  const auto said = [](const auto& ask) -> std::string {
-    try {
-      ask();
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "nothing thrown";
-  };
   const Segment3 s{{0, 0, -1}, {0, 0, 1}};
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)intersection(s, Polygon3{{{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}}});
             }),
             "intersection: polygon is not planar; triangulate it or intersect its triangles");
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)intersection(s, Polygon3{{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}});
             }),
             "intersection: polygon is not convex; triangulate it or intersect its convex pieces");
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)intersection(Obb2{{0, 0}, {Vector2{NAN, 0}, Vector2{}}, {1, 1}}, Aabb2{});
             }),
             "intersection: obb.axes[0].x is nan, not a real number; give a finite double");

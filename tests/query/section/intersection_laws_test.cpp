@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/thrown.hpp"
 #include "oracle/intersections.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/predicates.hpp"
@@ -220,32 +221,24 @@ TEST(IntersectionLaws, Figure522RayAndBox) {
 }
 
 TEST(IntersectionLaws, BadInputIsNamed) {
-  const auto said = [](const auto& ask) -> std::string {
-    try {
-      ask();
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "nothing thrown";
-  };
   const Triangle3 t{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}};
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)intersection(Ray3{{0, 0, 0}, {0, NAN, 0}}, t);
             }),
             "intersection: ray.direction.y is nan, not a real number; give a finite double");
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)intersection(t, Aabb3{{0, 0, 0}, {0, 0, INFINITY}});
             }),
             "intersection: aabb.max.z is inf, not a real number; give a finite double");
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)intersection(Segment2{{0, 0}, {1, 1}}, Polygon2{{{0, 0}, {1, 0}}});
             }),
             "intersection: polygon.vertices has 2 vertices; a polygon has three at least");
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)intersection(Segment2{{0, 0}, {1, 1}}, Polygon2{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}});
             }),
             "intersection: polygon is not convex; triangulate it or intersect its convex pieces");
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(text_of<Error>([&] {
               (void)approximate(intersection(Line2{{0, 0}, {1e300, 1}}, Line2{{0, 1e300}, {1, 0}}));
             }),
             "approximate: a.x is beyond the largest double");

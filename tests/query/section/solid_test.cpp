@@ -9,6 +9,7 @@
 
 #include "certify/sanitized.hpp"
 #include "figure/basic/shape_cases.hpp"
+#include "figure/basic/thrown.hpp"
 #include "plumb/figure/hull/hull3.hpp"
 #include "plumb/query/overlap/overlap.hpp"
 #include "query/section/enumerated.hpp"
@@ -277,19 +278,11 @@ TEST(Solid, GoesOnForever) {
 }
 
 TEST(Solid, BadInputIsNamed) {
-  const auto said = [](const auto& ask) -> std::string {
-    try {
-      ask();
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "nothing thrown";
-  };
-  EXPECT_EQ(said([] {
+  EXPECT_EQ(text_of<Error>([] {
               (void)intersection(Aabb3{{0, 0, 0}, {1, 1, NAN}}, Tetrahedron3{});
             }),
             "intersection: aabb.max.z is nan, not a real number; give a finite double");
-  EXPECT_EQ(said([] {
+  EXPECT_EQ(text_of<Error>([] {
               (void)intersection(Halfspace3{{1, 0, 0}, INFINITY}, Aabb3{});
             }),
             "intersection: halfspace.offset is inf, not a real number; give a finite double");

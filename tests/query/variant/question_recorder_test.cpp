@@ -14,6 +14,7 @@
 #include <iterator>
 #include <thread>
 
+#include "figure/basic/thrown.hpp"
 #include "plumb/query.hpp"
 #include "plumb/world.hpp"
 #include "query/variant/question_lines.hpp"
@@ -177,14 +178,7 @@ TEST_F(InAFile, TellsWholeLinesOfWhatWasDamaged) {
       EXPECT_TRUE(is_one) << at << ": " << line;
     }
   }
-  const auto refusal = [](const std::string& text) -> std::string {
-    try {
-      (void)recorded_lines(text);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "none";
-  };
+  const auto refusal = [](const std::string& text) { return text_of<Error>([&] { (void)recorded_lines(text); }); };
   for (std::size_t length = 64; length < whole.size(); ++length)
     EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("was cut")) << length;
   EXPECT_THAT(refusal("# questions and answers of plumb, in a ring\n"), HasSubstr("another version"));
