@@ -4,13 +4,15 @@
 //
 // Scenes: `upright`, where no cube is turned; `turned`, each by its own angle about the upright axis.  `one_moves`: of all
 // of them one cube alone.  `many`: a hundred thousand cubes strewn in space, of which one in a hundred moves; rays among
-// them.
+// them.  `stones`: two hundred meshes that move, with the proxies that a plan takes, and without.
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "plumb/degenerate/entropy.hpp"
+#include "plumb/figure/hull/hull3.hpp"
 #include "plumb/world.hpp"
 #ifdef PLUMB_BENCH_WORLD_RIVALS
 #include "bench/rivals/world/rival.hpp"
@@ -117,6 +119,54 @@ void rays_among_many(benchmark::State& state) {
   state.counters["hit"] = static_cast<double>(hit) / static_cast<double>(asked);
 }
 BENCHMARK(rays_among_many)->Unit(benchmark::kMicrosecond);
+
+/// A stone: the hull of points on a ball, as a mesh.
+SharedMesh stone(Entropy& e) {
+  std::vector<Point3> points;
+  while (points.size() < 60) {
+    const auto side = [&] { return static_cast<double>(e.within(1000)) / 1000; };
+    const Vector3 v{side(), side(), side()};
+    const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    if (length > 0.1) points.push_back({v.x / length, v.y / length, v.z / length});
+  }
+  const Hull3 hull = convex_hull(points, {.triangulate = true});
+  TriangleMesh mesh{points, {}};
+  for (std::size_t f = 0; f < hull.face_count(); ++f)
+    mesh.triangles.push_back({hull.face(f)[0], hull.face(f)[1], hull.face(f)[2]});
+  return SharedMesh(mesh);
+}
+
+/// Two hundred stones that turn and move a little in each frame, with the proxies that a plan takes, and without.
+void stones(benchmark::State& state, bool is_planned) {
+  Entropy e(4901);
+  CollisionWorld world({.execution = Execution::serial});
+  std::vector<SharedMesh> kinds;
+  for (int k = 0; k < 8; ++k) kinds.push_back(stone(e));
+  std::vector<BodyHandle> handles;
+  std::vector<RigidPose> poses;
+  const auto number = [&](int most) { return static_cast<double>(e.within(most * 1000)) / 1000; };
+  for (std::size_t n = 0; n < 200; ++n) {
+    poses.push_back({{4, std::floor(number(4)), std::floor(number(4)), 1}, {number(5), number(5), number(5)}});
+    handles.push_back(world.add(AnyBody(kinds[n % kinds.size()], poses[n]), {.user_id = n}));
+  }
+  if (is_planned) {
+    const WorldPlan scene = plan(world);
+    adopt(world, scene);
+    state.counters["without"] = static_cast<double>(scene.questions_without);
+    state.counters["with"] = static_cast<double>(scene.questions_with);
+  }
+  world.commit();
+  for (auto _ : state) {
+    for (std::size_t n = 0; n < handles.size(); ++n) {
+      poses[n].translation.x += 0x1p-10;
+      world.move(handles[n], poses[n]);
+    }
+    benchmark::DoNotOptimize(world.commit());
+  }
+  state.counters["pairs"] = static_cast<double>(world.pairs().size());
+}
+BENCHMARK_CAPTURE(stones, as they are, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stones, as planned, true)->Unit(benchmark::kMillisecond);
 
 #ifdef PLUMB_BENCH_WORLD_RIVALS
 void bullet(benchmark::State& state, bool is_turned) {
