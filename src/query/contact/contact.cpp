@@ -13,6 +13,7 @@
 #include "query/contact/quick_match.hpp"
 #include "query/contact/quick_numbers.hpp"
 #include "query/contact/upright.hpp"
+#include "query/penetration/kept_answer.hpp"
 
 namespace plumb::query {
 namespace {
@@ -180,11 +181,8 @@ void require_margin(std::string_view function, double margin) {
   if (margin < 0) throw InvalidShape(named("is negative; give one that is not"));
 }
 
-}  // namespace
-
-std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, const ContactManifoldOptions& options,
-                                          ContactCache* cache) {
-  require_margin("contact", options.margin);
+std::optional<ContactManifold> contact_anew(const BodyView& a, const BodyView& b, const ContactManifoldOptions& options,
+                                            ContactCache* cache) {
   if (UprightContact quick = upright_contact(a, b, options.margin); quick.is_known) {
     return thinned(std::move(quick.manifold), options);
   }
@@ -204,6 +202,43 @@ std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, 
   };
   while (!answer()) pair.aim_again(cache);
   return thinned(std::move(m), options);
+}
+
+/// A manifold without its corners, and how many these are.
+struct KeptManifold {
+  Relation relation;
+  bool is_there;
+  Vector3 normal;
+  double distance;
+  std::size_t corners;
+};
+void put_manifold(std::vector<unsigned char>& to, const std::optional<ContactManifold>& m) {
+  KeptManifold kept{};
+  if (m) kept = {m->relation, true, m->normal, m->distance, m->corners.size()};
+  put(to, &kept, 1);
+  if (m) put(to, m->corners.begin(), m->corners.size());
+}
+std::optional<ContactManifold> manifold_in(std::span<const unsigned char> bytes) {
+  const auto kept = taken<KeptManifold>(bytes);
+  std::optional<ContactManifold> m;
+  if (!kept.is_there) return m;
+  m.emplace();
+  m->relation = kept.relation, m->normal = kept.normal, m->distance = kept.distance;
+  for (std::size_t i = 0; i < kept.corners; ++i) m->corners.push_back(taken<ContactCorner>(bytes));
+  return m;
+}
+
+}  // namespace
+
+std::optional<ContactManifold> contact_of(const BodyView& a, const BodyView& b, const ContactManifoldOptions& options,
+                                          ContactCache* cache) {
+  require_margin("contact", options.margin);
+  if (cache == nullptr) return contact_anew(a, b, options, nullptr);
+  const AskedContact asked{KeptQuestion::contact, a, b, {options.margin, static_cast<double>(options.at_most)}};
+  if (const auto before = KeptBytes::answer(*cache, asked); !before.empty()) return manifold_in(before);
+  auto answer = contact_anew(a, b, options, cache);
+  KeptBytes::keep(*cache, asked, [&](std::vector<unsigned char>& to) { put_manifold(to, answer); });
+  return answer;
 }
 
 std::optional<ExactContact> exact_contact_of(const BodyView& a, const BodyView& b, double margin) {

@@ -6,6 +6,7 @@
 #include "query/penetration/cached_guess.hpp"
 #include "query/penetration/facet_lengths.hpp"
 #include "query/penetration/flush_feature.hpp"
+#include "query/penetration/kept_answer.hpp"
 #include "query/penetration/separating_axes.hpp"
 
 namespace plumb::query {
@@ -138,10 +139,17 @@ Penetration exact_numbers(const Told& t) {
 }  // namespace
 
 std::optional<Penetration> penetration_of(const BodyView& a, const BodyView& b, ContactCache* cache) {
+  using Answer = std::optional<Penetration>;
+  const AskedContact asked{KeptQuestion::penetration, a, b};
+  if (cache != nullptr) {
+    if (auto before = KeptBytes::answer(*cache, asked); !before.empty()) return taken<Answer>(before);
+  }
   const auto told = told_of("penetration", a, b, cache);
-  if (!told) return {};
-  if (const auto quick = quick_numbers(*told)) return quick;
-  return exact_numbers(*told);
+  Answer answer;
+  if (told) answer = quick_numbers(*told);
+  if (told && !answer) answer = exact_numbers(*told);
+  if (cache != nullptr) KeptBytes::keep(*cache, asked, [&](std::vector<unsigned char>& to) { put(to, &answer, 1); });
+  return answer;
 }
 
 std::optional<ExactPenetration> exact_penetration_of(const BodyView& a, const BodyView& b) {

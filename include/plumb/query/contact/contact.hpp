@@ -18,15 +18,16 @@
 // corner's id names a feature of each body: vertex and face, face and vertex, edge and edge; where a vertex lies
 // straight before an edge or a vertex, these. Corners ascend by id, and no id occurs twice.  As long as the features
 // that face each other and the signs that tell how they lie stay the same, so do the ids; which of the bodies has the
-// deepest feature, and which edges or faces gave the normal, is no part of them.  (5) A cache is a guess: whatever is
-// in it, the answer is the same, bit by bit.  (6) contact(b, a) is the same with both turned round, where penetration's
-// direction is the only one.  A common translation and a common power of two change no id.  (7) Round bodies are their
-// cores and a radius: corners are those of the cores, moved along the normal by the radii; features have the numbers of
-// the surface.  (8) `at_most` keeps the deepest corner, and then each time the one whose rounded place on a is farthest
-// from the nearest of those kept, of several the first.  (9) Faces of a polyhedron that lie in one plane are one, by
-// the lowest number; a hull by its vertices alone has the feature that is farthest, and no other. Features are numbered
-// as in query/penetration/penetration.hpp.  NaN and infinity throw NonFinite, an empty body, a negative radius, a
-// polygon that is not planar and convex and a negative margin InvalidShape, UnevenPose as for penetration, by name.
+// deepest feature, and which edges or faces gave the normal, is no part of them.  (5) A cache changes no bit of an
+// answer, whatever it was used for before: what it tells again it compares, what it guesses it proves.  (6) contact(b,
+// a) is the same with both turned round, where penetration's direction is the only one.  A common translation and a
+// common power of two change no id.  (7) Round bodies are their cores and a radius: corners are those of the cores,
+// moved along the normal by the radii; features have the numbers of the surface.  (8) `at_most` keeps the deepest
+// corner, and then each time the one whose rounded place on a is farthest from the nearest of those kept, of several
+// the first.  (9) Faces of a polyhedron that lie in one plane are one, by the lowest number; a hull by its vertices
+// alone has the feature that is farthest, and no other. Features are numbered as in query/penetration/penetration.hpp.
+// NaN and infinity throw NonFinite, an empty body, a negative radius, a polygon that is not planar and convex and a
+// negative margin InvalidShape, UnevenPose as for penetration, by name.
 // Source: RTCD 9.5.3; Gregorius, Robust Contact Creation for Physics Simulations, 2015, on manifolds by clipping; van
 // den Bergen 2001.
 // Cost: docs/contacts.md; no allocation up to eight corners where doubles decide.  Bounded by n^2 log n signs for n

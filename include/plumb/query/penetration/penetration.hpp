@@ -3,7 +3,8 @@
 //
 //   penetration(a, b)          if (const auto p = penetration(box, hull)) { p->depth; p->direction; p->feature_a; }
 //   exact_penetration(a, b)    the same without any rounding
-//   penetration(a, b, &cache)  the same again, from frame to frame: of polyhedra it takes less
+//   penetration(a, b, &cache)  the same again, from frame to frame: of bodies that did not move it takes a look, and of
+//                              polyhedra that did it takes less
 //
 // Two bodies are parted where a plane has one of them on each side; both may touch it, and each other.  So solids are
 // parted where their interiors do not meet, and what is left of them is touching; the depth of a triangle that crosses
@@ -22,14 +23,15 @@
 // of both changes nothing.  (6) Round bodies are their cores and a radius: while the cores overlap, the depth is that
 // of the cores and both radii, else the radii less the distance of the cores. NaN and infinity throw NonFinite, an
 // empty body, a negative radius and a polygon that is not planar and convex InvalidShape, a pose that makes no ball of
-// a ball UnevenPose, by name.  (7) A cache, which contact() takes as well, is a guess: whatever is in it, the answer is the
-// same, bit by bit.
+// a ball UnevenPose, by name.  (7) A cache, which contact() takes as well, changes no bit
+// of an answer, whatever it was used for before.
 // Source: RTCD 9.3.8, 9.5; van den Bergen 2001 (EPA).
 // Cost: docs/measurements.md; the exact answer some microseconds more.  Bounded by n^2 log n signs for n corners of
 // both, on integers as long as the exponents' span: their difference has n^2 vertices at most.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "plumb/arith/exact_vector.hpp"
 #include "plumb/figure/containment/voronoi_region.hpp"
@@ -47,12 +49,23 @@ struct Penetration {
   friend bool operator==(const Penetration&, const Penetration&) = default;
 };
 
-/// What the last answer for a pair of bodies was found by.
+namespace query {
+struct KeptBytes;
+}  // namespace query
+
+/// The last question, bit by bit, and its answer.
+class KeptAnswer {
+  friend query::KeptBytes;
+  std::vector<unsigned char> bytes_;
+};
+
+/// What the last answer for a pair of bodies was found by, and that answer.
 struct ContactCache {
   std::array<std::array<std::uint32_t, 2>, 4> corners{};  // of the difference
   std::uint32_t size = 0;
   std::array<std::array<std::uint32_t, 2>, 2> edges{};  // of boxes: the body and its edge, where a plane is along both
   bool has_edges = false;
+  KeptAnswer last;
 };
 
 struct ExactPenetration {
