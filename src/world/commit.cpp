@@ -106,8 +106,8 @@ AskedPairs asked_pairs(const std::vector<WorldPair>& pairs, const std::vector<st
     if (!may_touch_apart && world::are_apart_by_proxies(a, b)) return;  // disjoint, and without contacts
     about_body("CollisionWorld::commit", p.id_a, [&] {
       about_body("and", p.id_b, [&] {
-        asked.relations[i] = relation_of_bodies(a, b);
-        if (options.contacts) world::add_contacts(p, a, b, contacts);
+        const auto told = options.contacts ? world::add_contacts(p, a, b, contacts) : std::nullopt;
+        asked.relations[i] = told ? *told : relation_of_bodies(a, b);
       });
     });
   };

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "arith/certain.hpp"
+#include "arith/running_error.hpp"
+#include "arith/vec.hpp"
 #include "world/grown_box.hpp"
 
 namespace plumb::world {
@@ -23,6 +26,20 @@ std::optional<ContactManifold> contact_of_figures(const AnyFigure& a, const AnyF
   }
 }
 
+/// Has it an inside, for certain?  Of such bodies contact() tells the relation that relate() does: those that need not
+/// move to be parted have no inner point in common.
+bool has_inside(const AnyFigure& figure) {
+  if (const auto* ball = get_if<Sphere3>(figure)) return ball->radius > 0;
+  if (const auto* capsule = get_if<Capsule3>(figure)) return capsule->radius > 0;
+  if (const auto* box = get_if<Aabb3>(figure)) {
+    return box->min.x < box->max.x && box->min.y < box->max.y && box->min.z < box->max.z;
+  }
+  const auto* box = get_if<Obb3>(figure);
+  if (box == nullptr || !(box->half.x > 0 && box->half.y > 0 && box->half.z > 0)) return false;
+  const auto axis = [&](std::size_t k) { return arith::vec<Running>(box->axes[k]); };
+  return certain_sign(dot(cross(axis(0), axis(1)), axis(2))) != 0;
+}
+
 /// Each figure of a part that is near to a box: itself, or its triangles there.
 template <class Work>
 void for_figures(const Placed& part, const Aabb3& near, const Work& work) {
@@ -33,14 +50,20 @@ void for_figures(const Placed& part, const Aabb3& near, const Work& work) {
 
 }  // namespace
 
-void add_contacts(const WorldPair& pair, const WorldBody& a, const WorldBody& b, std::vector<WorldContact>& to) {
+std::optional<Relation> add_contacts(const WorldPair& pair, const WorldBody& a, const WorldBody& b,
+                                     std::vector<WorldContact>& to) {
   const double margin = a.options.margin + b.options.margin;
   const auto tell = [&](const BodyPart& of_a, const BodyPart& of_b, std::optional<ContactManifold> m) {
     if (m) to.push_back({pair.id_a, pair.id_b, pair.a, pair.b, of_a, of_b, *std::move(m)});
   };
   if (a.placed.size() == 1 && b.placed.size() == 1) {
     const auto *p = std::get_if<AnyFigure>(&a.placed[0]), *q = std::get_if<AnyFigure>(&b.placed[0]);
-    if (p != nullptr && q != nullptr) return tell({}, {}, contact_of_figures(*p, *q, margin));
+    if (p != nullptr && q != nullptr) {
+      auto m = contact_of_figures(*p, *q, margin);
+      const Relation relation = m ? m->relation : Relation::disjoint;
+      tell({}, {}, std::move(m));
+      return has_inside(*p) && has_inside(*q) ? std::optional(relation) : std::nullopt;
+    }
   }
   const auto first = static_cast<std::ptrdiff_t>(to.size());
   for (std::uint32_t i = 0; i < a.placed.size(); ++i) {
@@ -56,6 +79,7 @@ void add_contacts(const WorldPair& pair, const WorldBody& a, const WorldBody& b,
   std::sort(to.begin() + first, to.end(), [](const WorldContact& x, const WorldContact& y) {
     return std::tie(x.part_a, x.part_b) < std::tie(y.part_a, y.part_b);
   });
+  return {};
 }
 
 }  // namespace plumb::world

@@ -6,13 +6,16 @@
 // Cost: that of contact() for each two parts and triangles whose boxes are near.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "world/state.hpp"
 
 namespace plumb::world {
 
-/// The contacts of a pair are put behind those of others.
-void add_contacts(const WorldPair& pair, const WorldBody& a, const WorldBody& b, std::vector<WorldContact>& to);
+/// The contacts of a pair are put behind those of others.  Tells as well what relate() would, where a contact says it:
+/// of two boxes, balls or capsules that have an inside.
+std::optional<Relation> add_contacts(const WorldPair& pair, const WorldBody& a, const WorldBody& b,
+                                     std::vector<WorldContact>& to);
 
 }  // namespace plumb::world

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -64,6 +65,12 @@ std::optional<AnyFigure> moved(const std::optional<AnyFigure>& proxy, const Rigi
   return proxy->under(pose);
 }
 
+/// Does it stand there already, to the last bit?
+bool stands_at(const WorldBody& body, const RigidPose& pose) {
+  const auto* at = std::get_if<RigidPose>(&body.pose);
+  return at != nullptr && std::memcmp(at, &pose, sizeof pose) == 0;
+}
+
 }  // namespace
 
 CollisionWorld::CollisionWorld(const CollisionWorldOptions& options) : state_(std::make_unique<State>()) {
@@ -98,6 +105,7 @@ BodyHandle CollisionWorld::add(const AnyBody& body, const BodyOptions& options) 
 void CollisionWorld::move(const BodyHandle& body, const RigidPose& pose) {
   State& s = *state_;
   WorldBody& at = s.body("CollisionWorld::move", body);
+  if (stands_at(at, pose)) return;
   if (at.parts.size() == 1) {  // without a list of its own
     Placed there =
         about_body("CollisionWorld::move", at.options.user_id, [&] { return world::placed(at.parts[0], pose); });

@@ -2,9 +2,10 @@
 // which are moved: pairs alone, and pairs with contacts, exact, on one thread; and Bullet's collision world, which keeps
 // its manifolds from frame to frame.
 //
-// Scenes: `upright`, where no cube is turned; `turned`, each by its own angle about the upright axis.  `one_moves`: of all
-// of them one cube alone.  `many`: a hundred thousand cubes strewn in space, of which one in a hundred moves; rays among
-// them.  `stones`: two hundred meshes that move, with the proxies that a plan takes, and without.
+// Scenes: `upright`, where no cube is turned; `turned`, each by its own angle about the upright axis; `resting`: each
+// cube is moved to where it is.  `one_moves`: of all of them one cube alone.  `many`: a hundred thousand cubes strewn in
+// space, of which one in a hundred moves; rays among them.  `stones`: two hundred meshes that move, with the proxies that a
+// plan takes, and without.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -31,7 +32,9 @@ std::array<double, 4> place(std::size_t i, std::size_t k, std::size_t frame, boo
 }
 RigidPose pose_at(const std::array<double, 4>& at) { return {{1, 0, 0, at[3]}, {at[0], at[1], at[2]}}; }
 
-void frames(benchmark::State& state, bool has_contacts, bool is_turned) {
+enum class Moves { all, none };
+
+void frames(benchmark::State& state, bool has_contacts, bool is_turned, Moves moves = Moves::all) {
   CollisionWorld world({.contacts = has_contacts, .execution = Execution::serial});
   std::vector<BodyHandle> cubes;
   for (std::size_t n = 0; n < stacks * high; ++n) {
@@ -42,7 +45,7 @@ void frames(benchmark::State& state, bool has_contacts, bool is_turned) {
   world.commit();
   std::size_t frame = 0, corners = 0;
   for (auto _ : state) {
-    ++frame;
+    frame += moves == Moves::all ? 1 : 0;
     for (std::size_t n = 0; n < cubes.size(); ++n) {
       world.move(cubes[n], pose_at(place(n / high, n % high, frame, is_turned)));
     }
@@ -58,6 +61,7 @@ BENCHMARK_CAPTURE(frames, pairs / upright, false, false)->Unit(benchmark::kMilli
 BENCHMARK_CAPTURE(frames, contacts / upright, true, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(frames, pairs / turned, false, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(frames, contacts / turned, true, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, contacts / turned / resting, true, true, Moves::none)->Unit(benchmark::kMillisecond);
 
 void one_moves(benchmark::State& state) {
   CollisionWorld world({.contacts = true, .execution = Execution::serial});

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <map>
@@ -209,6 +211,71 @@ TEST(CollisionWorld, RestingBoxesTouch) {
   world.move(boxes[9], RigidPose{{}, {0, 0, 0x1p-50}});
   ASSERT_EQ(world.commit().ended.size(), 1U);
   EXPECT_EQ(world.commit().kept.size(), 8U);
+}
+
+// Of bodies that have an inside a contact tells how they meet; of all others it is asked.
+TEST(CollisionWorld, WithContactsTellsThePairsThatItTellsWithout) {
+  std::array<int, 2> touching{};
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Entropy e(4710, seed);
+    CollisionWorld with({.contacts = true}), without;
+    for (std::uint64_t id = 0; id < 12; ++id) {
+      AnyFigure figure = drawn_world::figure(e);
+      if (id % 3 == 0) {  // a box with an inside, or a flat one by its axes
+        const double up = e.below(4) == 0 ? 0 : 1;
+        figure = Obb3{{0, 0, 0}, {{{1, 0, 0}, {0, up, 0}, {1, 0, 2}}}, {1, 0.5, 0.5}};
+      }
+      const AnyFigure there = e.coin() ? figure : figure.under(drawn_world::pose(e));
+      const BodyOptions options{.user_id = id, .margin = id % 2 == 0 ? 0 : 0.25};
+      with.add(there, options), without.add(there, options);
+    }
+    with.commit(), without.commit();
+    ASSERT_EQ(with.pairs().size(), without.pairs().size()) << "replay: Entropy(4710, " << seed << ")";
+    for (std::size_t i = 0; i < with.pairs().size(); ++i) {
+      const WorldPair &p = with.pairs()[i], &q = without.pairs()[i];
+      EXPECT_TRUE(p.id_a == q.id_a && p.id_b == q.id_b && p.relation == q.relation)
+          << "replay: Entropy(4710, " << seed << "), bodies " << p.id_a << " and " << p.id_b;
+      ++touching[p.relation == Relation::touching ? 1 : 0];
+    }
+  }
+  std::printf("%d pairs overlap, %d touch\n", touching[0], touching[1]);
+  EXPECT_GT(std::min(touching[0], touching[1]), 200);
+}
+
+// As a game does that sets each pose in each frame: nothing is asked again, and nothing begins or ends; a cube that
+// turns by a little, or a zero that changes its sign, is moved.
+TEST(CollisionWorld, MovingToWhereItIsChangesNothing) {
+  CollisionWorld world({.contacts = true});
+  std::vector<BodyHandle> cubes;
+  std::vector<RigidPose> poses;
+  for (int level = 0; level < 6; ++level) {
+    poses.push_back({{1, 0, 0, 0.125 * level}, {0, 0, 1.0 * level}});
+    cubes.push_back(
+        world.add(Posed{Aabb3{{-0.5, -0.5, 0}, {0.5, 0.5, 1}}, poses.back()}, {.user_id = unsigned(level)}));
+  }
+  EXPECT_EQ(world.commit().begun.size(), 5U);
+  const std::vector<WorldContact> before = world.contacts();
+  const auto expect_same = [&] {
+    const WorldEvents& events = world.commit();
+    EXPECT_TRUE(events.begun.empty() && events.ended.empty());
+    EXPECT_EQ(events.kept.size(), 5U);
+    EXPECT_TRUE(world.contact_events().begun.empty() && world.contact_events().ended.empty());
+    ASSERT_EQ(world.contacts().size(), before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(world.contacts()[i].manifold, before[i].manifold);
+  };
+  for (std::size_t i = 0; i < cubes.size(); ++i) world.move(cubes[i], poses[i]);
+  expect_same();
+  world.move(cubes[3], RigidPose{{}, {9, 9, 9}});
+  world.move(cubes[3], poses[3]);
+  expect_same();
+  poses[0].translation.x = -0.0;
+  world.move(cubes[0], poses[0]);
+  EXPECT_TRUE(std::signbit(std::get<RigidPose>(world.body(cubes[0]).pose()).translation.x));
+  expect_same();
+  poses[5].turn.z += 0x1p-10;
+  world.move(cubes[5], poses[5]);
+  EXPECT_TRUE(world.commit().ended.empty());
+  EXPECT_NE(world.contacts().back().manifold, before.back().manifold);
 }
 
 // A slot that is used again has another generation; the old pair has ended, and the new one begun.

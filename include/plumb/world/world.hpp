@@ -200,7 +200,7 @@ class CollisionWorld {
 
   /// A bounded figure of space, a mesh, or a compound of both, as it stands or under a rigid pose or a chain of them.
   BodyHandle add(const AnyBody& body, const BodyOptions& options = {});
-  /// The pose takes the place of that which the body had.
+  /// The pose takes the place of that which the body had; where it is the same, nothing is asked again.
   void move(const BodyHandle& body, const RigidPose& pose);
   /// Another body, by the same handle, options and events.
   void replace(const BodyHandle& body, const AnyBody& by);
