@@ -2,7 +2,10 @@
 //
 // Meshes: a closed wavy ring of n triangles.  Rays: `random` from around the mesh to places in its box; `camera` from
 // one place through the pixels of an image, in rows; `vertices` at vertices of the mesh, from outside, as segments that
-// end there, so that each must hit.
+// end there, so that each must hit.  `alone` asks one ray a call.  `degenerate` asks one ray a call as well: through
+// vertices, through the middles of edges and along edges of a ring on a grid, and in the plane of a flat plate, across
+// its cells and along their edges; the plate is level, tilted, or of rounded coordinates, in whose triangles the ray
+// runs nearly or exactly.
 // `rays` is rays a second, `missed` the share that hits nothing: at the vertices a leak.  `bytes` is memory for each
 // triangle.
 #include <benchmark/benchmark.h>
@@ -112,6 +115,105 @@ void numbers_of_plumb(benchmark::State& state) {
   report(
       state, rays.size(),
       static_cast<std::size_t>(std::count_if(out.begin(), out.end(), [](const auto& hit) { return hit.has_value(); })));
+}
+
+void alone_of_plumb(benchmark::State& state, bool numbers) {
+  const Scene& scene = scene_of(state.range(0));
+  const auto aim = static_cast<Aim>(state.range(1));
+  const std::vector<AnyRay> rays = rays_of(shots_of(scene.mesh, aim), aim);
+  std::size_t hit = 0;
+  for (auto _ : state) {
+    hit = 0;
+    for (const AnyRay& ray : rays)
+      hit += numbers ? first_hit(scene.bvh, ray).has_value() : first_triangle(scene.bvh, ray).has_value();
+  }
+  report(state, rays.size(), hit);
+}
+
+enum class Degenerate : int {
+  vertices,
+  middles,
+  edges,
+  across_level,
+  along_level,
+  across_tilted,
+  along_tilted,
+  rounded
+};
+
+/// Spanned by two edges, of n by n cells.
+TriangleMesh plate(std::uint32_t n, const Vector3& u, const Vector3& v) {
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    for (std::uint32_t j = 0; j <= n; ++j)
+      mesh.vertices.push_back({i * u.x + j * v.x, i * u.y + j * v.y, i * u.z + j * v.z});
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      mesh.triangles.push_back({a, b, b + 1});
+      mesh.triangles.push_back({a, b + 1, a + 1});
+    }
+  }
+  return mesh;
+}
+
+struct DegenerateScene {
+  TriangleMesh mesh;
+  std::vector<AnyRay> rays;
+};
+
+DegenerateScene degenerate_scene(Degenerate kind) {
+  constexpr std::uint32_t side = 160, rays = 4096;
+  Entropy e(78);
+  DegenerateScene scene;
+  if (kind > Degenerate::edges) {
+    const bool level = kind == Degenerate::across_level || kind == Degenerate::along_level;
+    const bool along = kind == Degenerate::along_level || kind == Degenerate::along_tilted;
+    const auto [u, v] = level                         ? std::pair(Vector3{1, 0, 0}, Vector3{0, 1, 0})
+                        : kind == Degenerate::rounded ? std::pair(Vector3{0.1, 0.7, 0.3}, Vector3{-0.9, 0.2, 0.6})
+                                                      : std::pair(Vector3{3, 1, -2}, Vector3{-1, 4, 1});
+    scene.mesh = plate(side, u, v);
+    for (std::uint32_t i = 0; i < rays; ++i) {
+      const auto at = -1 - static_cast<double>(e.below(50)), row = static_cast<double>(e.below(side));
+      const double x = along ? 1 : 1 + static_cast<double>(e.below(20));
+      const double y = along ? 0 : static_cast<double>(e.within(20));
+      scene.rays.emplace_back(Ray3{{at * u.x + row * v.x, at * u.y + row * v.y, at * u.z + row * v.z},
+                                   {x * u.x + y * v.x, x * u.y + y * v.y, x * u.z + y * v.z}});
+    }
+    return scene;
+  }
+  constexpr double unit = 0x1p-29;
+  scene.mesh = meshes::ring(side);
+  for (Point3& p : scene.mesh.vertices) {
+    for (double* x : {&p.x, &p.y, &p.z}) *x = 2 * unit * std::round(*x / (2 * unit));
+  }
+  for (std::uint32_t i = 0; i < rays; ++i) {
+    const auto& t = scene.mesh.triangles[e.below(scene.mesh.triangles.size())];
+    const Point3 &p = scene.mesh.vertices[t[0]], &q = scene.mesh.vertices[t[1]];
+    Vector3 d{q.x - p.x, q.y - p.y, q.z - p.z};
+    Point3 at = p;
+    if (kind == Degenerate::middles) at = {p.x + d.x / 2, p.y + d.y / 2, p.z + d.z / 2};
+    if (kind != Degenerate::edges) {
+      for (double* x : {&d.x, &d.y, &d.z}) *x = unit * static_cast<double>(e.within(5));
+      if (d == Vector3{0, 0, 0}) d.x = unit;
+    }
+    double t0 = 1;  // the ray is at the target exactly there
+    while (t0 * std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < 8) t0 *= 2;
+    scene.rays.emplace_back(Ray3{{at.x - t0 * d.x, at.y - t0 * d.y, at.z - t0 * d.z}, d});
+  }
+  return scene;
+}
+
+void degenerate(benchmark::State& state) {
+  const DegenerateScene scene = degenerate_scene(static_cast<Degenerate>(state.range(0)));
+  const Bvh bvh = build_bvh(scene.mesh);
+  std::size_t hit = 0;
+  for (auto _ : state) {
+    hit = 0;
+    for (const AnyRay& ray : scene.rays) hit += first_hit(bvh, ray).has_value();
+  }
+  report(state, scene.rays.size(), hit);
 }
 
 void any_of_plumb(benchmark::State& state) {
@@ -259,6 +361,9 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK(first_of_plumb)->Apply(sizes);
 BENCHMARK(numbers_of_plumb)->Apply(sizes);
 BENCHMARK(any_of_plumb)->Apply(sizes);
+BENCHMARK_CAPTURE(alone_of_plumb, triangle, false)->Apply(sizes);
+BENCHMARK_CAPTURE(alone_of_plumb, hit, true)->Apply(sizes);
+BENCHMARK(degenerate)->ArgName("kind")->DenseRange(0, 7)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(first_of_posed, together, true)->Apply(sizes);
 BENCHMARK_CAPTURE(first_of_posed, alone, false)->Apply(sizes);
 #ifdef PLUMB_BENCH_EMBREE

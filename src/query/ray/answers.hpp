@@ -30,9 +30,9 @@ std::optional<Decided> decided_of(const ShotLine<T>& line, const Model& model, R
   }
 }
 
-template <class Answer, class Model>
+template <class Answer, class List = RayWorlds, class Model>
 std::optional<Answer> answer_of_model(const AnyRay& ray, const Model& model) {
-  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
+  return answer<Answer>(ray, model, certainly<List>([&]<class T>(RayWorld<T>& ask) {
                           return decided_of<T>(ShotLine<T>(ray), model, ask);
                         }));
 }

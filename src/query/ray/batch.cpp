@@ -8,8 +8,8 @@
 #include "plumb/query/ray/hits.hpp"
 #include "query/ray/batch_lanes.hpp"
 #include "query/ray/box_lanes.hpp"
-#include "query/ray/hit_order.hpp"
 #include "query/ray/numbers.hpp"
+#include "query/ray/triangle_hit.hpp"
 
 namespace plumb {
 namespace query {
@@ -55,11 +55,18 @@ struct Near {
 };
 
 std::uint32_t nearest_of(const AnyRay& ray, const TriangleBatch& many, HitRule rule, const std::vector<Near>& all) {
-  std::uint32_t best = all.front().index;
+  const auto decided = [&](const Near& n) {
+    const Triangle3 triangle = many[n.index];
+    return DecidedTriangle{triangle, *decide_hit(ray, triangle, rule)};
+  };
+  if (all.size() == 1) return all.front().index;
+  std::uint32_t first = all.front().index;
+  DecidedTriangle best = decided(all.front());
   for (std::size_t i = 1; i < all.size(); ++i) {
-    if (compare_hits(ray, many[all[i].index], many[best], rule) == Sign::negative) best = all[i].index;
+    const DecidedTriangle other = decided(all[i]);
+    if (compare_hits(ray, other, best) == Sign::negative) first = all[i].index, best = other;
   }
-  return best;
+  return first;
 }
 
 }  // namespace

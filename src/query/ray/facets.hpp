@@ -48,11 +48,35 @@ Time<T> plane_time(const Facet<T>& f, const Vec3<T>& direction) {
   const Vec3<T> n = facet_normal(f);
   return {dot(f.corners[0], n), dot(direction, n)};
 }
-/// Of a line in the facet's plane: inside of edge i.
+/// A plane is seen along an axis in which its normal has a part, which has this sign: so it is not seen edge on.
+struct SeenPlane {
+  std::size_t axis;
+  Sign way;
+};
+/// Takes a part that is certainly not zero, if there is one.
 template <class T>
-Linear<T> side_of(const Facet<T>& f, const Vec3<T>& normal, const Vec3<T>& direction, std::size_t i) {
-  const Vec3<T> out = cross(f.next(i) - f.corners[i], normal);
-  return {T(0.0) - dot(f.corners[i], out), dot(direction, out)};
+SeenPlane seen_plane(const Vec3<T>& normal, RaySigns& ask) {
+  const std::array<const T*, 3> parts{&normal.x, &normal.y, &normal.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    RaySigns alone;
+    if (const Sign way = alone(*parts[axis]); way != Sign::zero && alone.certain()) return {axis, way};
+  }
+  return {0, ask(normal.x)};
+}
+/// The part of a x b along the axis.
+template <class T>
+T cross_along(std::size_t axis, const Vec3<T>& a, const Vec3<T>& b) {
+  if (axis == 0) return a.y * b.z - a.z * b.y;
+  return axis == 1 ? a.z * b.x - a.x * b.z : a.x * b.y - a.y * b.x;
+}
+/// Inside of edge i, for a line in the facet's plane.  All vectors lie in that plane, so that one part of a cross product
+/// has the sign that is asked for, in two fifths of the digits.
+template <class T>
+Linear<T> side_of(const Facet<T>& f, const SeenPlane& seen, const Vec3<T>& direction, std::size_t i) {
+  const Vec3<T> e = f.next(i) - f.corners[i];
+  return seen.way == Sign::negative
+             ? Linear<T>{cross_along(seen.axis, f.corners[i], e), cross_along(seen.axis, e, direction)}
+             : Linear<T>{cross_along(seen.axis, e, f.corners[i]), cross_along(seen.axis, direction, e)};
 }
 /// Of a line in one plane with the edge from p along e, not parallel to it.
 template <class T>
@@ -70,8 +94,20 @@ template <class T>
 struct Candidate {
   Time<T> time;
   When when;
-  bool inside;  // of the facet, strictly
+  std::optional<Feature> feature;  // of the facet, if it was found on the way
 };
+
+/// Tells which feature of a facet with an area holds a point of it, where it is known of which edges' lines the point is.
+/// A facet of four corners, of which two may be equal, is told of points inside alone.
+template <class T>
+std::optional<Feature> feature_by_sides(const Facet<T>& f, const std::array<bool, 4>& on) {
+  if (!on[0] && !on[1] && !on[2] && (f.size == 3 || !on[3])) return Feature{FeatureKind::face, f.face};
+  if (f.size != 3) return {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (on[i] && on[(i + 2) % 3]) return Feature{FeatureKind::vertex, f.vertex[i]};
+  }
+  return Feature{FeatureKind::edge, f.edge[on[0] ? 0 : on[1] ? 1 : 2]};
+}
 
 /// The earliest so far.
 template <class T>
@@ -82,7 +118,7 @@ struct Earliest {
     if (!found || compare(c.time, found->time, ask) == Sign::negative) found = c;
   }
   void add(const ShotLine<T>& line, const Time<T>& time, const When& when, RaySigns& ask) {
-    if (in_range(line.ray, time, ask)) add({time, when, false}, ask);
+    if (in_range(line.ray, time, ask)) add({time, when, {}}, ask);
   }
 };
 
@@ -119,30 +155,42 @@ void meet_facet(const ShotLine<T>& line, const Facet<T>& f, std::uint32_t index,
   const T slope = dot(d, normal);
   const Sign way = ask(slope);
   if (way != Sign::zero) {
-    bool left = true, right = true, inside = true;
+    bool left = true, right = true;
+    std::array<bool, 4> on{};
     for (std::size_t i = 0; i < f.size; ++i) {
       const Sign s = ask(edge_side(d, f.corners[i], f.next(i)));
       left = left && s != Sign::negative;
       right = right && s != Sign::positive;
-      inside = inside && s != Sign::zero;
+      on[i] = s == Sign::zero;
     }
     if (!left && !right) return;
     const Time<T> time = with_positive_denominator(dot(f.corners[0], normal), slope, way);
     if (!in_range(line.ray, time, ask)) return;
     const When when{ask(time.numerator) == Sign::zero ? When::At::zero : When::At::quotient, index,
                     part_of(Meeting::plane, 0)};
-    earliest.add({time, when, inside}, ask);
+    earliest.add({time, when, feature_by_sides(f, on)}, ask);
   } else if (is_zero(normal, ask)) {
     for (std::size_t i = 0; i < f.size; ++i) meet_edge(line, f, index, i, earliest, ask);
   } else if (ask(dot(f.corners[0], normal)) == Sign::zero) {
+    const SeenPlane seen = seen_plane(normal, ask);
     Remaining<T> left(line.ray);
+    std::array<std::optional<Linear<T>>, 4> sides;
     for (std::size_t i = 0; i < f.size; ++i) {
-      if (!left.cut(side_of(f, normal, d, i), static_cast<std::uint32_t>(i), ask)) return;
+      sides[i] = side_of(f, seen, d, i);
+      if (!left.cut(*sides[i], static_cast<std::uint32_t>(i), ask)) return;
     }
     if (left.is_empty(ask)) return;
     const When first = left.first(ask);
     const When when{first.at, index, part_of(Meeting::side, first.index)};
-    earliest.add({first.at == When::At::zero ? time_zero<T>() : left.lower.time, when, false}, ask);
+    const bool at_zero = first.at == When::At::zero;
+    const Time<T> time = at_zero ? time_zero<T>() : left.lower.time;
+    std::array<bool, 4> on{};
+    for (std::size_t i = 0; i < f.size; ++i) {
+      on[i] = (!at_zero && i == first.index) ||
+              ask(at_zero ? sides[i]->constant
+                          : sides[i]->constant * time.denominator + sides[i]->slope * time.numerator) == Sign::zero;
+    }
+    earliest.add({time, when, feature_by_sides(f, on)}, ask);
   }
 }
 
@@ -182,9 +230,10 @@ std::optional<Decided> hold_point(const ShotLine<T>& line, const Model& model, R
     std::optional<Feature> found = corner_or_edge(f, p, T(1.0), ask);
     const Vec3<T> normal = facet_normal(f);
     if (!found && !is_zero(normal, ask) && ask(dot(f.corners[0], normal)) == Sign::zero) {
+      const SeenPlane seen = seen_plane(normal, ask);
       bool inside = true;
       for (std::size_t k = 0; k < f.size; ++k)
-        inside = inside && ask(side_of(f, normal, line.direction, k).constant) != Sign::positive;
+        inside = inside && ask(side_of(f, seen, line.direction, k).constant) != Sign::positive;
       if (inside) found = Feature{FeatureKind::face, f.face};
     }
     if (found && (!best || std::pair(found->kind, found->index) < std::pair(best->feature.kind, best->feature.index)))
@@ -200,10 +249,10 @@ std::optional<Decided> meet_facets(const ShotLine<T>& line, const Model& model, 
   const auto size = static_cast<std::uint32_t>(model.facets());
   for (std::uint32_t i = 0; i < size; ++i) meet_facet(line, model.template facet<T>(line, i), i, earliest, ask);
   if (!earliest.found) return {};
-  const auto& [time, when, inside] = *earliest.found;
-  const Vec3<T> p = times(line.direction, time.numerator);
-  Feature best{FeatureKind::face, model.template facet<T>(line, when.index).face};
-  if (!inside || size > 1) {
+  const auto& [time, when, feature] = *earliest.found;
+  Feature best = feature.value_or(Feature{FeatureKind::face, model.template facet<T>(line, when.index).face});
+  if (!feature || size > 1) {
+    const Vec3<T> p = times(line.direction, time.numerator);
     for (std::uint32_t i = 0; i < size; ++i) {
       const auto f = corner_or_edge(model.template facet<T>(line, i), p, time.denominator, ask);
       if (f && std::pair(f->kind, f->index) < std::pair(best.kind, best.index)) best = *f;
@@ -213,7 +262,7 @@ std::optional<Decided> meet_facets(const ShotLine<T>& line, const Model& model, 
 }
 
 template <class T, class Model>
-Time<T> facet_time(const ShotLine<T>& line, const Model& model, const When& when, RaySigns&) {
+Time<T> facet_time(const ShotLine<T>& line, const Model& model, const When& when, RaySigns& ask) {
   const Facet<T> f = model.template facet<T>(line, when.index);
   const std::size_t i = when.part & 3u;
   const Vec3<T>& d = line.direction;
@@ -221,7 +270,7 @@ Time<T> facet_time(const ShotLine<T>& line, const Model& model, const When& when
     case Meeting::plane:
       return plane_time(f, d);
     case Meeting::side: {
-      const Linear<T> c = side_of(f, facet_normal(f), d, i);
+      const Linear<T> c = side_of(f, seen_plane(facet_normal(f), ask), d, i);
       return {T(0.0) - c.constant, c.slope};
     }
     case Meeting::crossing:

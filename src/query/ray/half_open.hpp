@@ -32,10 +32,10 @@ std::optional<Decided> half_open(const ShotLine<T>& line, const Model& model, Ra
                  0};
 }
 
-template <class Answer, class Model>
+template <class Answer, class List = RayWorlds, class Model>
 std::optional<Answer> answer_by(HitRule rule, const AnyRay& ray, const Model& model) {
-  if (rule == HitRule::closed) return answer_of_model<Answer>(ray, model);
-  return answer<Answer>(ray, model, certainly<RayWorlds>([&]<class T>(RayWorld<T>& ask) {
+  if (rule == HitRule::closed) return answer_of_model<Answer, List>(ray, model);
+  return answer<Answer>(ray, model, certainly<List>([&]<class T>(RayWorld<T>& ask) {
                           return half_open<T>(ShotLine<T>(ray), model, ask);
                         }));
 }

@@ -12,6 +12,7 @@
 
 #include "arith/exact_number.hpp"
 #include "arith/rounded_radical.hpp"
+#include "plumb/arith/interval.hpp"
 #include "query/body/figure_input.hpp"
 #include "query/ray/clip.hpp"
 #include "query/ray/quick_hit.hpp"
@@ -163,6 +164,12 @@ class QuickNumbers {
       return sure(n.moves ? quotient(still + moving * t_, n.divisor) : still);
     };
     return {part(n.still.x, n.moving.x), part(n.still.y, n.moving.y), part(n.still.z, n.moving.z)};
+  }
+  /// Around the parameter.
+  [[nodiscard]] std::optional<Interval> range() const {
+    const Interval around = Interval{t_.high} + Interval{t_.low} + Interval{-t_.radius, t_.radius};
+    if (!ask_.certain() || !(t_.radius < Ball::infinity)) return {};
+    return around;
   }
   [[nodiscard]] const Vec3<Ball>& direction() const { return line_.direction; }
 

@@ -12,6 +12,7 @@
 #include "query/convex/posed_set.hpp"
 #include "query/convex/rounded_root.hpp"
 #include "query/overlap/polygon_relation.hpp"
+#include "query/ray/posed_box.hpp"
 #include "query/ray/posed_faces.hpp"
 #include "query/ray/posed_triangle.hpp"
 #include "query/ray/seen_line.hpp"
@@ -168,6 +169,7 @@ std::optional<Hit> posed_first_hit(const AnyRay& ray, const Posed<Triangle3>& tr
 
 std::optional<Hit> posed_first_hit(const PosedView& ray, const PosedView& figure) {
   require_posed("first_hit", ray, figure);
+  if (const auto told = first_hit_of_box(ray, figure)) return *told;
   const ExactShot shot = exact_shot(ray);
   const PosedSet s = posed_set(figure);
   if (sees_line("first_hit", s, figure.figure)) {
@@ -191,6 +193,7 @@ std::optional<Hit> posed_first_hit(const PosedView& ray, const PosedView& figure
 std::optional<RayParameter> posed_first_hit_parameter(std::string_view function, const PosedView& ray,
                                                       const PosedView& figure) {
   require_posed(function, ray, figure);
+  if (const auto told = first_parameter_of_box(ray, figure)) return *told;
   const ExactShot shot = exact_shot(ray);
   const PosedSet s = posed_set(figure);
   if (sees_line(function, s, figure.figure)) {

@@ -29,9 +29,30 @@ class RaySigns {
  private:
   CertainSigns signs_;
 };
+}  // namespace plumb::query
+
+namespace plumb {
+
+/// Integers on the stack, asked as the other numbers are: certain where none takes more than they hold.
+template <>
+struct Carrying<StackDyadic, query::RaySigns> : query::RaySigns {
+  static constexpr WorldKind kind = WorldKind::integers;
+
+  Carrying() { StackDyadic::clear_range(); }
+  [[nodiscard]] bool certain() const { return RaySigns::certain() && !StackDyadic::left_range(); }
+};
+
+}  // namespace plumb
+
+namespace plumb::query {
+
 template <class T>
 using RayWorld = Carrying<T, RaySigns>;
 using RayWorlds = CarriedErrors<RaySigns>;
+/// For what doubles have left in doubt.
+using RayIntegers = Worlds<RayWorld<StackDyadic>, RayWorld<BigDyadic>>;
+/// For questions that are often degenerate: integers on the stack before those of GMP.
+using RayWorldsByStack = Worlds<RayWorld<Approximate>, RayWorld<Ball>, RayWorld<StackDyadic>, RayWorld<BigDyadic>>;
 
 template <class T>
 Vec3<T> times(const Vec3<T>& v, const T& t) {

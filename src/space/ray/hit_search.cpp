@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "query/ray/hit_order.hpp"
 #include "query/ray/posed_barycentric.hpp"
 #include "query/ray/posed_triangle.hpp"
 
@@ -12,9 +11,9 @@ namespace plumb::space {
 bool HitSearch::is_hit(std::uint32_t slot) const {
   return pose_ != nullptr ? query::hits(*ray_, posed(slot), rule_) : hits(*ray_, triangles_.triangle(slot), rule_);
 }
-std::optional<Hit> HitSearch::hit(std::uint32_t slot) const {
-  return pose_ != nullptr ? query::first_hit(*ray_, posed(slot), rule_)
-                          : first_hit(*ray_, triangles_.triangle(slot), rule_);
+NumberedHit HitSearch::numbered(const SlotHit& hit) const {
+  return {number(hit.slot), pose_ != nullptr ? *query::first_hit(*ray_, posed(hit.slot), rule_)
+                                             : query::hit_of(*ray_, triangles_.triangle(hit.slot), hit.decided)};
 }
 
 std::optional<HitSearch::SlotHit> HitSearch::between(std::uint32_t slot, bool certain, double least,
@@ -39,11 +38,25 @@ bool HitSearch::is_left_out(const SlotHit& hit) const {
 std::optional<HitSearch::SlotHit> HitSearch::hit_between(std::uint32_t slot, bool certain, double least,
                                                          double most) const {
   if (certain) return SlotHit{slot, least, most};
+  if (pose_ != nullptr) return posed_between(slot, least, most);
+  const Triangle3 triangle = triangles_.triangle(slot);
+  const bool is_crossed = least > -infinity && most < infinity;  // or lanes know no parameters
+  const auto decided = is_crossed && rule_ == HitRule::closed ? query::decide_crossing(*ray_, triangle)
+                                                              : query::decide_hit(*ray_, triangle, rule_);
+  if (!decided) return {};
+  if (!is_crossed) {
+    const auto range = query::range_of(*ray_, triangle, *decided);
+    least = range.least, most = range.most;
+  }
+  return SlotHit{slot, least, most, *decided};
+}
+
+std::optional<HitSearch::SlotHit> HitSearch::posed_between(std::uint32_t slot, double least, double most) const {
   if (least > -infinity && most < infinity) {
     if (is_hit(slot)) return SlotHit{slot, least, most};
     return {};
   }
-  const auto exact = hit(slot);
+  const auto exact = query::first_hit(*ray_, posed(slot), rule_);
   if (!exact) return {};
   return SlotHit{slot, std::nextafter(exact->t, -infinity), std::nextafter(exact->t, infinity)};
 }
@@ -51,9 +64,9 @@ std::optional<HitSearch::SlotHit> HitSearch::hit_between(std::uint32_t slot, boo
 bool HitSearch::is_before(const SlotHit& a, const SlotHit& b) const {
   if (a.most < b.least) return true;
   if (b.most < a.least) return false;
-  const Sign order = pose_ != nullptr
-                         ? query::compare_hits(*ray_, posed(a.slot), posed(b.slot), rule_)
-                         : query::compare_hits(*ray_, triangles_.triangle(a.slot), triangles_.triangle(b.slot), rule_);
+  const Sign order = pose_ != nullptr ? query::compare_hits(*ray_, posed(a.slot), posed(b.slot), rule_)
+                                      : query::compare_hits(*ray_, {triangles_.triangle(a.slot), a.decided},
+                                                            {triangles_.triangle(b.slot), b.decided});
   return order == Sign::negative || (order == Sign::zero && number(a.slot) < number(b.slot));
 }
 
@@ -70,21 +83,21 @@ double FirstHit::visit(std::uint32_t slot, bool certain, double least, double mo
   return limit_;
 }
 
-std::optional<std::uint32_t> FirstHit::slot() const {
+std::optional<HitSearch::SlotHit> FirstHit::earliest() const {
   if (!found_) return {};
   SlotHit first = best_;
   for (const SlotHit& other : others_) {
     if (!(other.least > best_.most) && is_before(other, first)) first = other;
   }
-  return first.slot;
+  return first;
 }
 std::optional<std::uint32_t> FirstHit::first_number() const {
-  const auto first = slot();
+  const auto first = earliest();
   if (!first) return {};
-  return number(*first);
+  return number(first->slot);
 }
 std::optional<NumberedHit> FirstHit::first() const {
-  const auto first = slot();
+  const auto first = earliest();
   if (!first) return {};
   return numbered(*first);
 }
@@ -112,7 +125,7 @@ std::vector<NumberedHit> OrderedHits::in_order(std::vector<NumberedHit> hits) {
   hits.clear();
   std::sort(all_.begin(), all_.end(), [&](const SlotHit& a, const SlotHit& b) { return is_before(a, b); });
   for (const SlotHit& hit : all_) {  // an item may be in several slots
-    if (hits.empty() || hits.back().index != number(hit.slot)) hits.push_back(numbered(hit.slot));
+    if (hits.empty() || hits.back().index != number(hit.slot)) hits.push_back(numbered(hit));
   }
   return hits;
 }

@@ -19,6 +19,7 @@
 #include "plumb/query/ray/hits.hpp"
 #include "plumb/space/ray/mesh_ray.hpp"
 #include "plumb/space/ray/ray_slabs.hpp"
+#include "query/ray/triangle_hit.hpp"
 #include "space/bvh/slot_triangles.hpp"
 #include "space/ray/seen_ray.hpp"
 #include "space/ray/wide_rays.hpp"
@@ -68,10 +69,11 @@ class HitSearch : public TriangleVisitor {
  protected:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// A triangle that is hit, between these parameters.
+  /// A triangle that is hit, between these parameters.  Under a pose the decision is not kept.
   struct SlotHit {
     std::uint32_t slot;
     double least, most;
+    query::Decided decided = query::crossed_inside;
   };
 
   ~HitSearch() = default;
@@ -82,13 +84,13 @@ class HitSearch : public TriangleVisitor {
   [[nodiscard]] bool counts(std::uint32_t slot, bool certain, double least, double most) const {
     return limits_ != nullptr ? between(slot, certain, least, most).has_value() : certain || is_hit(slot);
   }
-  [[nodiscard]] std::optional<Hit> hit(std::uint32_t slot) const;
-  [[nodiscard]] NumberedHit numbered(std::uint32_t slot) const { return {number(slot), *hit(slot)}; }
+  [[nodiscard]] NumberedHit numbered(const SlotHit& hit) const;
   /// Nothing where it is not hit, or not within the limits.
   [[nodiscard]] std::optional<SlotHit> between(std::uint32_t slot, bool certain, double least, double most) const;
   [[nodiscard]] bool is_before(const SlotHit& a, const SlotHit& b) const;
 
   [[nodiscard]] std::optional<SlotHit> hit_between(std::uint32_t slot, bool certain, double least, double most) const;
+  [[nodiscard]] std::optional<SlotHit> posed_between(std::uint32_t slot, double least, double most) const;
   [[nodiscard]] bool is_left_out(const SlotHit& hit) const;
 
   [[nodiscard]] PosedTriangle posed(std::uint32_t slot) const { return {triangles_.triangle(slot), *pose_}; }
@@ -113,7 +115,7 @@ class FirstHit final : public HitSearch {
   [[nodiscard]] std::optional<NumberedHit> first() const;
 
  private:
-  [[nodiscard]] std::optional<std::uint32_t> slot() const;
+  [[nodiscard]] std::optional<SlotHit> earliest() const;
 
   SlotHit best_{0, infinity, infinity};
   bool found_ = false;

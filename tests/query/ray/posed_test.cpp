@@ -120,6 +120,35 @@ TEST(PosedRay, FirstHitsOfTrianglesAsWithoutPoses) {
                NonFinite);
 }
 
+/// A ray that is posed as well, even by the identity, is asked in rationals.
+template <class Box, class Ray, class By>
+bool is_as_in_rationals(const Box& box, const Ray& ray, const By& pose) {
+  const query::PosedView given{query::view_of(ray)}, in_rationals{query::view_of(ray), &identity_pose},
+      posed{query::view_of(box), &pose};
+  return query::posed_first_hit(given, posed) == query::posed_first_hit(in_rationals, posed) &&
+         same(asked(given, posed), asked(in_rationals, posed));
+}
+
+TEST(PosedRay, BoxesByTheirHalfspacesAsInRationals) {
+  int hit = 0, all = 0;
+  shape_cases::on_shapes(5551, battery::sanitized ? 20 : 150, [&](Material& m) {
+    const auto expect_same = [&]<class Box>(const Box& box, const auto& ray) {
+      const Pose pose = regular_pose(m);
+      const RigidPose turn{{1.0 + static_cast<double>(m.below(3)), 0.5, static_cast<double>(m.below(2)), 0x1p-20},
+                           {1, -2, static_cast<double>(m.below(3))}};
+      ++all, hit += hits(ray, Posed{box, pose});
+      EXPECT_TRUE(is_as_in_rationals(box, ray, pose)) << m.about(box, ray);
+      EXPECT_TRUE(is_as_in_rationals(box, ray, turn)) << m.about(box, ray);
+    };
+    const auto box = m.shape<Aabb3>();
+    expect_same(box, near_figure<Ray3>(m));
+    const auto turned = m.shape<Obb3>();
+    expect_same(turned, near_figure<Segment3>(m));
+    expect_same(turned, near_figure<Line3>(m));
+  });
+  EXPECT_GT(hit * 10, all);
+}
+
 TEST(PosedRay, WhatPosesMakeIsHit) {
   const Pose flat{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 1}}, long_z{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 3}}}, {}};
   const Ray3 up{{0.5, 0.5, 0}, {0, 0, 2}};

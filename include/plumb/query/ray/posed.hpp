@@ -15,7 +15,8 @@
 // round figure without a radius, or that becomes a point, it is zero then.  Any other round figure that is flattened
 // throws UnevenPose; NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 3.2, 5.3.
-// Cost: rationals: some 40 us for a ball, 120 us for a box.  Bounded by n signs for n corners, on integers as long as
+// Cost: a box that a ray as given meets takes half a microsecond where doubles tell the signs; all others are asked in
+// rationals: some 40 us for a ball.  Bounded by n signs for n corners, on integers as long as
 // the exponents' span.
 #pragma once
 
