@@ -124,7 +124,7 @@ std::optional<Decided> PolygonModel::decide(const ShotLine<T>& line, RaySigns& a
   Earliest<T> earliest;
   for (std::uint32_t i = 0; i < edges(); ++i) meet_edge(line, facet(line, i), i, 0, earliest, ask);
   if (!earliest.found) return {};
-  const auto& [time, when, inside] = *earliest.found;
+  const auto& [time, when, known] = *earliest.found;
   const auto feature = rim(line, *this, times(d, time.numerator), time.denominator, ask);
   return Decided{when, feature.value_or(Feature{FeatureKind::edge, when.index}), true, 0};
 }

@@ -77,12 +77,12 @@ struct EdgesModel {
     const Vec3<T>& d = line.direction;
     Earliest<T> earliest;
     if (has_no_direction(line.ray)) {
-      earliest.found = Candidate<T>{time_zero<T>(), {}, false};
+      earliest.found = Candidate<T>{time_zero<T>(), {}, {}};
     } else {
       for (std::uint32_t i = 0; i < facets(); ++i) meet_edge(line, facet(line, i), i, 0, earliest, ask);
     }
     if (!earliest.found) return {};
-    const auto& [time, when, inside] = *earliest.found;
+    const auto& [time, when, known] = *earliest.found;
     const When at_or_zero = ask(time.numerator) == Sign::zero ? When{} : when;
     const Vec3<T> p = times(d, time.numerator);
     std::optional<Decided> first;
