@@ -165,7 +165,7 @@ std::vector<BoxHandle> BoxStore<Box, scheme>::found(const Box& box, const InBoxO
     }
     if (space::is_pair(box, s.stored.boxes[slot], options.touching)) rows.push_back(s.stored.boxes.handle(slot));
   });
-  std::sort(rows.begin(), rows.end());
+  std::sort(rows.begin(), rows.end(), [](const BoxHandle& a, const BoxHandle& b) { return a.slot < b.slot; });
   return rows;
 }
 

@@ -103,8 +103,11 @@ class SortedEnds {
 
   [[nodiscard]] std::size_t axis(std::size_t list) const { return (first_axis_ + list) % n; }
   [[nodiscard]] double value(std::size_t k, End e) const {
-    const Box& box = boxes_[e / 2];
-    return coordinates(e % 2 == 0 ? box.min : box.max)[k];
+    const auto& p = e % 2 == 0 ? boxes_[e / 2].min : boxes_[e / 2].max;
+    if constexpr (n == 3) {
+      if (k == 2) return p.z;
+    }
+    return k == 0 ? p.x : p.y;
   }
   /// Must x stand behind y?
   [[nodiscard]] bool is_behind(std::size_t k, End x, End y) const {
@@ -117,9 +120,9 @@ class SortedEnds {
     if (x % 2 == y % 2 || x / 2 == y / 2) return;
     const std::uint32_t a = std::min(x, y) / 2, b = std::max(x, y) / 2;
     bool overlap = true;
-    for (std::size_t list = 0; list < lists_; ++list) {
+    for (std::size_t list = 0; list < lists_ && overlap; ++list) {
       const std::size_t k = axis(list);
-      overlap &= value(k, 2 * a) <= value(k, 2 * b + 1) && value(k, 2 * b) <= value(k, 2 * a + 1);
+      overlap = value(k, 2 * a) <= value(k, 2 * b + 1) && value(k, 2 * b) <= value(k, 2 * a + 1);
     }
     const std::uint64_t key = std::uint64_t{a} << 32 | b;
     if (overlap) {
