@@ -73,8 +73,8 @@ struct Candidate {
 struct CandidatePair {
   std::size_t a, b;  // of candidates
   std::size_t questions;
-  /// Are these proxies apart?  -1 before it is asked.
-  std::array<std::array<std::int8_t, proxy_kinds>, proxy_kinds> known{};
+  /// Are these proxies apart?  Nothing before it is asked.
+  std::array<std::array<std::optional<bool>, proxy_kinds>, proxy_kinds> known{};
 };
 
 class Descent {
@@ -82,7 +82,6 @@ class Descent {
   Descent(std::vector<Candidate> candidates, std::vector<CandidatePair> pairs)
       : candidates_(std::move(candidates)), pairs_(std::move(pairs)) {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      for (auto& row : pairs_[i].known) row.fill(-1);
       candidates_[pairs_[i].a].pairs.push_back(i);
       candidates_[pairs_[i].b].pairs.push_back(i);
     }
@@ -144,9 +143,9 @@ class Descent {
     return 1 + (is_apart(pair, of_a, of_b) ? 0 : pair.questions);
   }
   bool is_apart(CandidatePair& pair, std::size_t of_a, std::size_t of_b) {
-    std::int8_t& known = pair.known[of_a][of_b];
-    if (known < 0) known = are_apart(*candidates_[pair.a].figures[of_a], *candidates_[pair.b].figures[of_b]) ? 1 : 0;
-    return known == 1;
+    std::optional<bool>& known = pair.known[of_a][of_b];
+    if (!known) known = are_apart(*candidates_[pair.a].figures[of_a], *candidates_[pair.b].figures[of_b]);
+    return *known;
   }
   bool is_told_apart(CandidatePair& pair) {
     const std::size_t of_a = candidates_[pair.a].taken, of_b = candidates_[pair.b].taken;

@@ -22,7 +22,7 @@ Vec<T> weighted_corners(const CoreCorners& c, const DifferenceCorners& corners, 
 }
 
 template <class T>
-Vec<T> over(const Vec<T>& v, const T& whole) {
+Vec<T> each_over(const Vec<T>& v, const T& whole) {
   return {quotient(v.x, whole), quotient(v.y, whole), quotient(v.z, whole)};
 }
 
@@ -59,8 +59,8 @@ std::optional<ToldPair> points_over(const CoreCorners& a, const CoreCorners& b, 
   const T left = between - reach;
   const int side = certain_sign(left);
   if (side == 0) return {};
-  Vec<T> p = over(weighted_corners(a, corners, 0, n), n.whole);
-  Vec<T> q = over(weighted_corners(b, corners, 1, n), n.whole);
+  Vec<T> p = each_over(weighted_corners(a, corners, 0, n), n.whole);
+  Vec<T> q = each_over(weighted_corners(b, corners, 1, n), n.whole);
   const Vec<T> way = q - p;
   if (side < 0) {
     const auto common = nearest_doubles_of(p + way * quotient(T(radius_a), reach));
@@ -86,7 +86,7 @@ std::optional<Point3> common_over(const CoreCorners& a, const CoreCorners& b, do
   CertainSigns ask;
   const auto n = nearest_of<T>(a, b, proved.corners, ask);
   if (certain_sign(n.whole) == 0) return {};
-  return nearest_doubles_of(over(weighted_corners(a, proved.corners, 0, n), n.whole));
+  return nearest_doubles_of(each_over(weighted_corners(a, proved.corners, 0, n), n.whole));
 }
 
 using Pairs = Twofold<false>;
