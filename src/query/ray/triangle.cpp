@@ -134,13 +134,16 @@ Hit hit_of(const AnyRay& ray, const Triangle3& triangle, const Decided& decided)
   return numbers_of(ray, TriangleModel(triangle), decided);
 }
 
+std::optional<Sign> compare_crossings(const AnyRay& ray, const Triangle3& first, const Triangle3& second) {
+  const Corners p = corners_of(first), q = corners_of(second);
+  return ends(ray) ? compare_segment_parameters(ray.origin, ray.end, p, q)
+                   : compare_ray_parameters(ray.origin, ray.direction, p, q);
+}
+
 Sign compare_hits(const AnyRay& ray, const DecidedTriangle& first, const DecidedTriangle& second) {
   if (are_at_one_place(first, second)) return Sign::zero;
-  if (are_crossed(first.decided) && are_crossed(second.decided)) {
-    const Corners p = corners_of(first.triangle), q = corners_of(second.triangle);
-    return *(ends(ray) ? compare_segment_parameters(ray.origin, ray.end, p, q)
-                       : compare_ray_parameters(ray.origin, ray.direction, p, q));
-  }
+  if (are_crossed(first.decided) && are_crossed(second.decided))
+    return *compare_crossings(ray, first.triangle, second.triangle);
   return certainly<RayWorldsByStack>([&]<class T>(RayWorld<T>& ask) {
     const ShotLine<T> line(ray);
     const auto time = [&](const DecidedTriangle& d) {

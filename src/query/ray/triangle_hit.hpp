@@ -4,8 +4,8 @@
 // Laws: decide_hit is nothing exactly where hits(ray, triangle, rule) is false; hit_of its answer are the numbers of
 // first_hit, and compare_hits the order of the exact parameters.
 // Source: RTCD 5.3.6, 11.5.
-// Cost: 0.3 us to decide by integers on the stack, by GMP's where those are too short; a corner on the line is found in
-// 0.1 us where no difference is rounded, and hits at one corner, or inside of one edge, are equal without arithmetic.
+// Cost: integers on the stack decide, GMP's where those are too short; a corner on the line is proved by pairs of doubles
+// where no difference is rounded, and hits at one corner, or inside of one edge, are equal without arithmetic.
 #pragma once
 
 #include <optional>
@@ -35,5 +35,7 @@ struct DecidedTriangle {
   Decided decided;
 };
 Sign compare_hits(const AnyRay& ray, const DecidedTriangle& first, const DecidedTriangle& second);
+/// The same, of triangles whose planes the ray crosses; nothing where it does not.
+std::optional<Sign> compare_crossings(const AnyRay& ray, const Triangle3& first, const Triangle3& second);
 
 }  // namespace plumb::query

@@ -12,8 +12,16 @@ bool HitSearch::is_hit(std::uint32_t slot) const {
   return pose_ != nullptr ? query::hits(*ray_, posed(slot), rule_) : hits(*ray_, triangles_.triangle(slot), rule_);
 }
 NumberedHit HitSearch::numbered(const SlotHit& hit) const {
-  return {number(hit.slot), pose_ != nullptr ? *query::first_hit(*ray_, posed(hit.slot), rule_)
-                                             : query::hit_of(*ray_, triangles_.triangle(hit.slot), hit.decided)};
+  if (pose_ != nullptr) return {number(hit.slot), *query::first_hit(*ray_, posed(hit.slot), rule_)};
+  const auto [triangle, how] = decided(hit);
+  return {number(hit.slot), query::hit_of(*ray_, triangle, how)};
+}
+
+query::DecidedTriangle HitSearch::decided(const SlotHit& hit) const {
+  const Triangle3 triangle = triangles_.triangle(hit.slot);
+  if (hit.decided) return {triangle, *hit.decided};
+  return {triangle, rule_ == HitRule::closed ? *query::decide_crossing(*ray_, triangle)
+                                             : *query::decide_hit(*ray_, triangle, rule_)};
 }
 
 std::optional<HitSearch::SlotHit> HitSearch::between(std::uint32_t slot, bool certain, double least,
@@ -37,18 +45,17 @@ bool HitSearch::is_left_out(const SlotHit& hit) const {
 
 std::optional<HitSearch::SlotHit> HitSearch::hit_between(std::uint32_t slot, bool certain, double least,
                                                          double most) const {
-  if (certain) return SlotHit{slot, least, most};
+  if (certain) return SlotHit{slot, least, most, true, query::crossed_inside};
   if (pose_ != nullptr) return posed_between(slot, least, most);
-  const Triangle3 triangle = triangles_.triangle(slot);
-  const bool is_crossed = least > -infinity && most < infinity;  // or lanes know no parameters
-  const auto decided = is_crossed && rule_ == HitRule::closed ? query::decide_crossing(*ray_, triangle)
-                                                              : query::decide_hit(*ray_, triangle, rule_);
-  if (!decided) return {};
-  if (!is_crossed) {
-    const auto range = query::range_of(*ray_, triangle, *decided);
-    least = range.least, most = range.most;
+  if (least > -infinity && most < infinity) {  // or lanes know no parameters
+    if (!is_hit(slot)) return {};
+    return SlotHit{slot, least, most};
   }
-  return SlotHit{slot, least, most, *decided};
+  const Triangle3 triangle = triangles_.triangle(slot);
+  const auto decided = query::decide_hit(*ray_, triangle, rule_);
+  if (!decided) return {};
+  const auto range = query::range_of(*ray_, triangle, *decided);
+  return SlotHit{slot, range.least, range.most, false, decided};
 }
 
 std::optional<HitSearch::SlotHit> HitSearch::posed_between(std::uint32_t slot, double least, double most) const {
@@ -64,9 +71,15 @@ std::optional<HitSearch::SlotHit> HitSearch::posed_between(std::uint32_t slot, d
 bool HitSearch::is_before(const SlotHit& a, const SlotHit& b) const {
   if (a.most < b.least) return true;
   if (b.most < a.least) return false;
-  const Sign order = pose_ != nullptr ? query::compare_hits(*ray_, posed(a.slot), posed(b.slot), rule_)
-                                      : query::compare_hits(*ray_, {triangles_.triangle(a.slot), a.decided},
-                                                            {triangles_.triangle(b.slot), b.decided});
+  const auto compared = [&] {
+    if (pose_ != nullptr) return query::compare_hits(*ray_, posed(a.slot), posed(b.slot), rule_);
+    if (a.is_crossed && b.is_crossed) {
+      const Triangle3 first = triangles_.triangle(a.slot), second = triangles_.triangle(b.slot);
+      if (const auto order = query::compare_crossings(*ray_, first, second)) return *order;
+    }
+    return query::compare_hits(*ray_, decided(a), decided(b));
+  };
+  const Sign order = compared();
   return order == Sign::negative || (order == Sign::zero && number(a.slot) < number(b.slot));
 }
 

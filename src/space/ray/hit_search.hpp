@@ -69,11 +69,12 @@ class HitSearch : public TriangleVisitor {
  protected:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// A triangle that is hit, between these parameters.  Under a pose the decision is not kept.
+  /// A triangle that is hit, between these parameters.  What is decided is kept, where it is known.
   struct SlotHit {
     std::uint32_t slot;
     double least, most;
-    query::Decided decided = query::crossed_inside;
+    bool is_crossed = true;  // its plane, by the ray
+    std::optional<query::Decided> decided{};
   };
 
   ~HitSearch() = default;
@@ -90,6 +91,7 @@ class HitSearch : public TriangleVisitor {
   [[nodiscard]] bool is_before(const SlotHit& a, const SlotHit& b) const;
 
   [[nodiscard]] std::optional<SlotHit> hit_between(std::uint32_t slot, bool certain, double least, double most) const;
+  [[nodiscard]] query::DecidedTriangle decided(const SlotHit& hit) const;
   [[nodiscard]] std::optional<SlotHit> posed_between(std::uint32_t slot, double least, double most) const;
   [[nodiscard]] bool is_left_out(const SlotHit& hit) const;
 

@@ -15,7 +15,7 @@
 // round figure without a radius, or that becomes a point, it is zero then.  Any other round figure that is flattened
 // throws UnevenPose; NaN and infinity throw NonFinite, what is no shape InvalidShape, by name.
 // Source: RTCD 3.2, 5.3.
-// Cost: a box that a ray as given meets takes half a microsecond where doubles tell the signs; all others are asked in
+// Cost: a box that a ray as given meets takes doubles where they tell the signs, else integers; all others are asked in
 // rationals: some 40 us for a ball.  Bounded by n signs for n corners, on integers as long as
 // the exponents' span.
 #pragma once
