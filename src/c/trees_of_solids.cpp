@@ -3,6 +3,7 @@
 
 #include "c/figures.hpp"
 #include "c/handles.hpp"
+#include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/surface/solid/evaluate.hpp"
 #include "plumb/surface/solid/round.hpp"
 
