@@ -146,7 +146,8 @@ void expect_contact(const AnyBody& va, const AnyBody& vb, Material& draw, Counts
   ASSERT_TRUE(m) << about;
   expect_rounded(*m, *e, about);
   EXPECT_EQ(m, query::contact_of(a, b, {.margin = far}, &cache)) << about;
-  cache = {{}, 4};
+  cache = {};
+  cache.size = 4;
   for (auto& ends : cache.corners)
     ends = {static_cast<std::uint32_t>(draw.below(9)), static_cast<std::uint32_t>(draw.below(9))};
   EXPECT_EQ(m, query::contact_of(a, b, {.margin = far}, &cache)) << about;

@@ -298,9 +298,9 @@ TEST(OverlapStatements, WhatDoublesTellOfACylinderIsSo) {
       };
       const std::array told{doubles(PastCylinder<true, true>{}, p, q, c), doubles(PastCylinder<true, false>{}, p, d, c),
                             doubles(PastCylinder<false, false>{}, p, d, c)};
-      const std::array truth{relate_exact_line(straight<Rational>(Segment3{p, q}), c),
-                             relate_exact_line(straight<Rational>(Ray3{p, d}), c),
-                             relate_exact_line(straight<Rational>(Line3{p, d}), c)};
+      const std::array truth{relate_exact_line(straight<Rational>(Segment3{p, q}), axis_of(c)),
+                             relate_exact_line(straight<Rational>(Ray3{p, d}), axis_of(c)),
+                             relate_exact_line(straight<Rational>(Line3{p, d}), axis_of(c))};
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_EQ(told[k].value_or(truth[k]), truth[k]) << info.name << k << ", replay: " << i;
         shares[k].add(info.family, told[k].has_value());
