@@ -127,7 +127,7 @@ TEST(IntersectionCurves, CurvesThatCrossEndWhereTheyDo) {
 
 /// All that pairs of triangles have in common is on the curves, or in a face of both.
 TEST(IntersectionCurves, HoldWhatPairsOfTrianglesHaveInCommon) {
-  std::size_t edges = 0, closed = 0, points = 0, ends = 0;
+  std::size_t edges = 0, closed = 0, ends = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937_64 random(seed);
@@ -139,7 +139,6 @@ TEST(IntersectionCurves, HoldWhatPairsOfTrianglesHaveInCommon) {
     for (const IntersectionCurve& c : curves) {
       edges += c.points.size() == 1 ? 0 : edges_of(c);
       closed += c.closed ? 1 : 0;
-      points += c.points.size() == 1 ? 1 : 0;
       on.insert(on.end(), c.points.begin(), c.points.end());
     }
     const auto is_known = [&](const ExactPoint3& p) { return std::ranges::find(on, p) != on.end(); };
