@@ -53,7 +53,7 @@ struct SeenPlane {
   std::size_t axis;
   Sign way;
 };
-/// Takes a part that is certainly not zero, if there is one.
+/// Takes a part that is certainly not zero; where there is none all are asked, so that the signs tell that they are in doubt.
 template <class T>
 SeenPlane seen_plane(const Vec3<T>& normal, RaySigns& ask) {
   const std::array<const T*, 3> parts{&normal.x, &normal.y, &normal.z};
@@ -61,7 +61,10 @@ SeenPlane seen_plane(const Vec3<T>& normal, RaySigns& ask) {
     RaySigns alone;
     if (const Sign way = alone(*parts[axis]); way != Sign::zero && alone.certain()) return {axis, way};
   }
-  return {0, ask(normal.x)};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (const Sign way = ask(*parts[axis]); way != Sign::zero) return {axis, way};
+  }
+  return {0, Sign::zero};
 }
 /// The part of a x b along the axis.
 template <class T>

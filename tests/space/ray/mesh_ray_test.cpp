@@ -92,6 +92,15 @@ TEST(MeshRay, OrdersWhatDoublesCannot) {
   }
 }
 
+/// Planes that the ray runs in, whose normals take more digits than a stack has room for.
+TEST(MeshRay, OrdersWhatLiesFarApart) {
+  const double far = 0x1p512, less_far = 0x1p480;
+  const TriangleMesh box{{{0, 0, 0}, {0, 1, 0}, {far, 0, 0}, {1, far, 0}}, {{2, 0, 3}, {3, 0, 1}}};
+  check(Ray3{{0, 1, 0}, {0, -1, 0}}, box, Bvh(box), HitRule::closed, "box");
+  const TriangleMesh torus{{{less_far, less_far, 0}, {0, 0, 0}, {-1, 0, 0}, {0, less_far, 0}}, {{0, 2, 3}, {0, 3, 1}}};
+  check(Ray3{{0, 0, 0}, {0, 1, 0}}, torus, Bvh(torus), HitRule::closed, "torus");
+}
+
 TEST(MeshRay, OfNothingIsNothing) {
   const Bvh nothing = build_bvh(TriangleMesh{});
   for (const AnyRay& ray : {AnyRay(Ray3{{0, 0, 0}, {1, 0, 0}}), AnyRay(Line3{{0, 0, 0}, {1, 0, 0}}),
