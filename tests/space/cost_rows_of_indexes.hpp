@@ -467,6 +467,8 @@ inline const CostRow rows_of_indexes[]{
      }},
     {"unite", "surface/solid/boolean.hpp", quartic, 3000,
      [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }},
+    {"intersection_curves", "surface/solid/intersection_curves.hpp", quartic, 3000,
+     [](const Cloud& c) { (void)intersection_curves(hull_of(c.a), hull_of(c.b)); }},
     {"evaluate", "surface/solid/evaluate.hpp", quartic, 3000,
      [](const Cloud& c) { (void)evaluate(csg(hull_of(c.a)) - csg(hull_of(c.b))); }},
     {"merge_pieces", "surface/solid/merge_pieces.hpp", quadratic, 200,

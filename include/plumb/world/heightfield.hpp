@@ -13,7 +13,7 @@
 // Fewer than two columns or rows, rows that are not full, a spacing that is zero and more vertices than a mesh may have
 // throw InvalidShape; NaN and infinity NonFinite; a coordinate beyond all doubles BeyondDoubles.
 // Source: RTCD 2.2.1.
-// Cost: linear in the heights; some 36 bytes a cell for the mesh, before its tree.
+// Cost: linear in the heights; some 36 bytes a cell for the mesh, before its tree.  Nothing is searched.
 #pragma once
 
 #include <cstddef>

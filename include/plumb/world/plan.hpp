@@ -16,6 +16,7 @@
 // kept from frame to frame.  It is nothing of an empty world.
 // Source: RTCD 2.2.2, 2.4.1.
 // Cost: that of proxies of each kind for each body that may need one, some times a commit's questions for boxes and proxies.
+// Nothing is searched but by overlapping_pairs and trees; a round that gains is linear in the pairs.
 #pragma once
 
 #include <cstddef>

@@ -96,9 +96,9 @@ TEST(MeshRay, OrdersWhatDoublesCannot) {
 TEST(MeshRay, OrdersWhatLiesFarApart) {
   const double far = 0x1p512, less_far = 0x1p480;
   const TriangleMesh box{{{0, 0, 0}, {0, 1, 0}, {far, 0, 0}, {1, far, 0}}, {{2, 0, 3}, {3, 0, 1}}};
-  check(Ray3{{0, 1, 0}, {0, -1, 0}}, box, Bvh(box), HitRule::closed, "box");
+  check(Ray3{{0, 1, 0}, {0, -1, 0}}, box, build_bvh(box), HitRule::closed, "box");
   const TriangleMesh torus{{{less_far, less_far, 0}, {0, 0, 0}, {-1, 0, 0}, {0, less_far, 0}}, {{0, 2, 3}, {0, 3, 1}}};
-  check(Ray3{{0, 0, 0}, {0, 1, 0}}, torus, Bvh(torus), HitRule::closed, "torus");
+  check(Ray3{{0, 0, 0}, {0, 1, 0}}, torus, build_bvh(torus), HitRule::closed, "torus");
 }
 
 TEST(MeshRay, OfNothingIsNothing) {
