@@ -300,7 +300,7 @@ class CollisionWorld {
   /// where spans begin, then by user id.
   [[nodiscard]] std::vector<WorldCastSpan> contact_spans_along(const AnyFigure& figure, const RigidPose& to,
                                                                std::uint32_t mask = every_group,
-                                                               double resolution = 0x1p-12) const;
+                                                               double resolution = 0x1p-12) const;  // a guess, as above
 
  private:
   using AskFilter = bool (*)(void* filter, const BodyHandle& a, const BodyHandle& b);
