@@ -48,7 +48,7 @@ struct ChainCorners {
   std::vector<Point> corners;
   std::vector<std::uint32_t> first{0};
 
-  /// Where the edge ends that leaves corner i, of chain number c.
+  /// The edge that leaves corner i of chain number c ends at this corner.
   [[nodiscard]] std::uint32_t next(std::size_t c, std::uint32_t i) const {
     return i + 1 == first[c + 1] ? first[c] : i + 1;
   }

@@ -41,7 +41,7 @@ struct PairsOf {
   static constexpr bool answers(FigureKind a, FigureKind b, int dimension) { return table.answers(a, b, dimension); }
 };
 
-/// Of two figures of one dimension.
+/// Asks two figures of one dimension.
 template <class Pairs, int Dimension, class Answer, class Ask, class Refuse>
 Answer asked_in_dimension(const FigureView& a, const FigureView& b, const Ask& ask, const Refuse& refuse) {
   const auto ask_first = [&]<class A>(const A*) -> Answer requires(figure_dimension<A> == Dimension) {

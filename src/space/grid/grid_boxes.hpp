@@ -99,7 +99,7 @@ bool holds_cell(const CellSpan<n>& span, const CellNumber<n>& cell) {
   return in;
 }
 
-/// Of a cell of the span, the first axis fastest.
+/// Numbers a cell of the span, the first axis fastest.
 template <std::size_t n>
 std::size_t index_in(const CellSpan<n>& span, const CellNumber<n>& cell) {
   std::size_t index = 0;

@@ -106,7 +106,7 @@ class LeafPairs {
  public:
   LeafPairs(const Slots& a, const Slots& b, bool is_own) : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
 
-  /// Of leaves in such boxes: take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
+  /// Calls take(TrianglePair, SlotPair) for each pair of leaves in such boxes; it may say Descent::stop.
   template <class Node, class Take>
   Descent operator()(const Node& leaf_a, const Aabb3& box_a, const Node& leaf_b, const Aabb3& box_b, const Take& take) {
     boxes_a_.read(a_, leaf_a, box_b);

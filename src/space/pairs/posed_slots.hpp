@@ -26,7 +26,7 @@ struct PosedSlots {
   [[nodiscard]] Relation relation(std::uint32_t slot, const PosedSlots& other, std::uint32_t slot_of_other) const {
     return query::relate(mesh.triangle(slot), other.mesh.triangle(slot_of_other));
   }
-  /// Of two of this mesh, beyond the vertices that they share.
+  /// How do two of this mesh lie, beyond the vertices that they share?
   [[nodiscard]] Relation relation_in_mesh(std::uint32_t a, std::uint32_t b) const {
     return relate_flattened(mesh.bvh.vertices.view(), mesh.bvh.corners_of(a), mesh.bvh.corners_of(b),
                             *mesh.pose.matrix());

@@ -67,7 +67,7 @@ struct BoxStore<Box, scheme>::State {
     if constexpr (requires { cells.give_up(place); }) cells.give_up(place);
   }
 
-  /// By slots.
+  /// The pairs are those of slots.
   [[nodiscard]] std::vector<BoxPair> pairs(const BoxPairOptions& options) const {
     if constexpr (requires { cells.pairs(options, stored); }) {
       return cells.pairs(options, stored);

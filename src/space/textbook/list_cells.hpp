@@ -29,7 +29,7 @@ class ListCells {
     heads_.assign(static_cast<std::size_t>(cell_count(all_)), no_handle);
   }
 
-  /// Of an array of cells the last ones go on without end: the number of a cell still grows with the coordinate.
+  /// The last cells of an array go on without end: the number of a cell still grows with the coordinate.
   [[nodiscard]] Place place_of(const Box& box) const {
     Place span = cells_of(box, per_size_);
     if constexpr (!is_hashed) {
