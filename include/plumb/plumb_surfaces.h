@@ -134,6 +134,45 @@ typedef struct plumb_tree_step { /* does not grow: arrays of them are read */
 plumb_status plumb_evaluate(const plumb_tree_step* steps, size_t count, int merges, plumb_mesh** result,
                             plumb_solid_report* report);
 
+/* ---- exact chains ---- */
+
+/* A surface with exact corners, in ascending order: what operations make of such is such again, so that a chain of them
+ * is rounded once, at its end.  A mesh under a pose is not rounded; the pose may be NULL. */
+typedef struct plumb_exact_mesh plumb_exact_mesh;
+plumb_status plumb_exact_mesh_create(const plumb_mesh* mesh, const plumb_rigid3* pose, plumb_exact_mesh** exact);
+void plumb_exact_mesh_destroy(plumb_exact_mesh* exact);
+plumb_status plumb_exact_mesh_posed(const plumb_exact_mesh* exact, const plumb_rigid3* pose,
+                                    plumb_exact_mesh** result);
+/* A plumb_operation of closed ones; `merges` as of a tree. */
+plumb_status plumb_exact_mesh_combine(int operation, const plumb_exact_mesh* const* meshes, size_t count, int merges,
+                                      plumb_exact_mesh** result);
+plumb_status plumb_exact_mesh_resolve(const plumb_exact_mesh* exact, int rule, int merges, plumb_exact_mesh** result);
+/* The report may be NULL. */
+plumb_status plumb_exact_mesh_round(const plumb_exact_mesh* exact, plumb_mesh** result, plumb_solid_report* report);
+plumb_status plumb_exact_mesh_size(const plumb_exact_mesh* exact, size_t* vertices, size_t* triangles);
+/* Three vertices of each; in `sources`, which may be NULL, which mesh of the last operation it is a piece of, and which
+ * triangle of that.  They are there as long as the handle. */
+plumb_status plumb_exact_mesh_triangles(const plumb_exact_mesh* exact, const uint32_t** triangles,
+                                        const uint32_t** sources, size_t* count);
+/* Fractions as text: "-8/3", and of a vertex "0 1/3 2".  *length is that of the whole text, of which an array that is
+ * long enough gets all and the ending 0. */
+plumb_status plumb_exact_mesh_volume(const plumb_exact_mesh* exact, char* text, size_t capacity, size_t* length);
+plumb_status plumb_exact_mesh_vertex(const plumb_exact_mesh* exact, size_t vertex, char* text, size_t capacity,
+                                     size_t* length);
+
+/* Where two surfaces meet: polylines, and points where they touch.  plumb/surface/solid/intersection_curves.hpp says in
+ * which order. */
+typedef struct plumb_curves plumb_curves;
+typedef struct plumb_curve {    /* does not grow; all of it is there as long as the handle */
+  const double* points;         /* rounded once; of a closed curve the first is not told again */
+  const uint32_t* faces;        /* a triangle of a and one of b for each edge, of a point for that */
+  size_t count, face_count;
+  int32_t is_closed;
+} plumb_curve;
+plumb_status plumb_intersection_curves(const plumb_mesh* a, const plumb_mesh* b, plumb_curves** curves);
+plumb_status plumb_curves_of(const plumb_curves* curves, const plumb_curve** each, size_t* count);
+void plumb_curves_destroy(plumb_curves* curves);
+
 /* ---- repair, covers ---- */
 
 /* The steps of plumb/surface/repair/repair.hpp. */

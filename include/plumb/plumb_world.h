@@ -59,6 +59,33 @@ plumb_status plumb_world_allow_collision(plumb_world* world, plumb_body a, plumb
 plumb_status plumb_world_set_filter(plumb_world* world, int (*keeps)(plumb_body a, plumb_body b, void* user),
                                     void* user);
 
+/* ---- what may be asked in place of a body first: no answer depends on it ---- */
+
+/* What misses the proxy of a body, which holds it, misses the body. */
+typedef enum plumb_proxy { PLUMB_PROXY_NONE = 0, PLUMB_PROXY_SPHERE, PLUMB_PROXY_BOX, PLUMB_PROXY_HULL } plumb_proxy;
+/* A plumb_proxy; a body that has none of the kind, as a flat one has no hull, is PLUMB_INVALID_SHAPE. */
+plumb_status plumb_world_set_proxy(plumb_world* world, plumb_body body, int proxy);
+plumb_status plumb_world_proxy(const plumb_world* world, plumb_body body, int* proxy);
+/* A body that is no single figure, and is in a pair of several questions; `told_apart`: pairs, by the proxies. */
+typedef struct plumb_body_plan { /* does not grow */
+  plumb_body body;
+  uint64_t user_id;
+  size_t pairs, told_apart, saved; /* saved: questions, by this proxy alone */
+  int32_t proxy;
+} plumb_body_plan;
+typedef struct plumb_plan_report { size_t size, questions_without, questions_with; } plumb_plan_report;
+/* For which bodies does a proxy pay now, and which one?  By user ids; the report may be NULL. */
+plumb_status plumb_world_plan(const plumb_world* world, plumb_body_plan* bodies, size_t capacity, size_t* count,
+                              plumb_plan_report* report);
+/* Each body gets the proxy of its plan. */
+plumb_status plumb_world_adopt(plumb_world* world, const plumb_body_plan* bodies, size_t count);
+
+/* A terrain of two triangles a cell: the corner of column i and row j is heights[j * columns + i] above the origin, i
+ * and j times the spacing along x and y.  Cell j * (columns - 1) + i has the triangles 2 * cell and 2 * cell + 1.
+ * `spacing` (two numbers) and `origin` (three) may be NULL: 1 and 0. */
+plumb_status plumb_heightfield_mesh(const double* heights, size_t columns, size_t rows, const double* spacing,
+                                    const double* origin, plumb_mesh** mesh);
+
 /* ---- what meets ---- */
 
 typedef struct plumb_world_pair { /* does not grow, like all that is seen in arrays */
@@ -131,6 +158,7 @@ plumb_status plumb_world_overlaps(const plumb_world* world, const plumb_figure* 
 /* Of a line, a ray or a segment; *found is 0 where nothing is hit, and then nothing else is written. */
 plumb_status plumb_world_first_hit(const plumb_world* world, const plumb_figure* ray, uint32_t mask, int* found,
                                    plumb_world_hit* hit);
+plumb_status plumb_world_any_hit(const plumb_world* world, const plumb_figure* ray, uint32_t mask, int* answer);
 /* Each body that is hit, in the order of the ray. */
 plumb_status plumb_world_hits(const plumb_world* world, const plumb_figure* ray, uint32_t mask, plumb_world_hit* hits,
                               size_t capacity, size_t* count);
@@ -169,10 +197,19 @@ typedef struct plumb_world_span {
   double from, to; /* before it they do not meet */
   int32_t is_certain; /* that they meet in it */
 } plumb_world_span;
+typedef struct plumb_cast_span {
+  uint64_t user_id;
+  plumb_body body;
+  double from, to;
+  int32_t is_certain;
+} plumb_cast_span;
 
 /* What does a figure that moves by three numbers come to first? */
 plumb_status plumb_world_first_contact(const plumb_world* world, const plumb_figure* figure, const double* by,
                                        uint32_t mask, int* found, plumb_world_cast* cast);
+/* Each body that it comes to, by exact times. */
+plumb_status plumb_world_contacts_along(const plumb_world* world, const plumb_figure* figure, const double* by,
+                                        uint32_t mask, plumb_world_cast* casts, size_t capacity, size_t* count);
 plumb_status plumb_world_first_contacts(const plumb_world* world, const plumb_body_motion* motions,
                                         size_t motion_count, plumb_world_impact* impacts, size_t capacity,
                                         size_t* count);
@@ -180,6 +217,10 @@ plumb_status plumb_world_first_contacts(const plumb_world* world, const plumb_bo
 plumb_status plumb_world_first_contact_spans(const plumb_world* world, const plumb_body_turn* turns, size_t turn_count,
                                              double resolution, plumb_world_span* spans, size_t capacity,
                                              size_t* count);
+/* The figure goes from its rigid pose, or none, to another: each body that it may come to, by where spans begin. */
+plumb_status plumb_world_contact_spans_along(const plumb_world* world, const plumb_figure* figure,
+                                             const plumb_rigid3* to, uint32_t mask, double resolution,
+                                             plumb_cast_span* spans, size_t capacity, size_t* count);
 
 #ifdef __cplusplus
 }

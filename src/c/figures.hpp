@@ -18,4 +18,8 @@ namespace plumb::c {
 /// Throws InvalidArgument by the name of the argument.
 AnyFigure figure_of(const plumb_figure* given, const char* argument);
 
+inline RigidPose rigid_of(const plumb_rigid3& p) {
+  return {{p.w, p.x, p.y, p.z}, {p.translation[0], p.translation[1], p.translation[2]}};
+}
+
 }  // namespace plumb::c

@@ -3,38 +3,13 @@
 #include <filesystem>
 
 #include "c/faults.hpp"
-#include "c/handles.hpp"
+#include "c/solids.hpp"
 #include "plumb/surface/file/read_mesh.hpp"
 #include "plumb/surface/file/write_mesh.hpp"
 #include "plumb/surface/repair/repair.hpp"
-#include "plumb/surface/solid/boolean.hpp"
-#include "plumb/surface/solid/round.hpp"
 
 using namespace plumb;
 using c::guarded, c::need, c::need_size;
-
-namespace {
-
-ExactMesh combined(int operation, std::span<const TriangleMesh> meshes) {
-  constexpr auto rule = WindingRule::positive;
-  const bool merges = (operation & PLUMB_MERGE_PIECES) != 0;
-  const Pieces pieces = merges ? Pieces::of_polygons : Pieces::of_triangles;
-  switch (operation & ~PLUMB_MERGE_PIECES) {
-    case PLUMB_UNITE:
-      return unite(meshes, rule, pieces);
-    case PLUMB_INTERSECT:
-      return intersect(meshes, rule, pieces);
-    case PLUMB_SUBTRACT:
-      return subtract(meshes, rule, pieces);
-    case PLUMB_SYMMETRIC_DIFFERENCE:
-      return symmetric_difference(meshes, rule, pieces);
-    default:
-      break;
-  }
-  throw c::InvalidArgument("operation " + std::to_string(operation & ~PLUMB_MERGE_PIECES) + " is none");
-}
-
-}  // namespace
 
 extern "C" {
 
@@ -132,9 +107,8 @@ plumb_status plumb_mesh_combine(int operation, const plumb_mesh* const* meshes, 
       need(meshes[i], "a mesh");
       solids.push_back(meshes[i]->mesh);
     }
-    RoundedMesh rounded = round(combined(operation, solids));
-    *result = new plumb_mesh{std::move(rounded.mesh)};
-    if (report != nullptr) c::write(report, plumb_solid_report{0, rounded.sound, rounded.moved});
+    const Pieces pieces = c::pieces_of(operation & PLUMB_MERGE_PIECES);
+    *result = c::told_solid(round(c::combined(operation & ~PLUMB_MERGE_PIECES, solids, pieces)), report);
   });
 }
 

@@ -1,10 +1,8 @@
 #include <memory>
 
 #include "c/figures.hpp"
-#include "c/handles.hpp"
+#include "c/solids.hpp"
 #include "plumb/surface/section/section.hpp"
-#include "plumb/surface/solid/boolean.hpp"
-#include "plumb/surface/solid/round.hpp"
 #include "plumb/surface/solid/split.hpp"
 
 using namespace plumb;
@@ -24,11 +22,6 @@ AnyPlane3 plane_in(const plumb_figure* given) {
     if (const auto* plane = get_if<ThreePointPlane3>(figure)) return *plane;
   }
   throw Unsupported("planes are of three points or of a normal, without a pose");
-}
-
-plumb_mesh* told_solid(RoundedMesh made, plumb_solid_report* report) {
-  if (report != nullptr) c::write(report, plumb_solid_report{0, made.sound, made.moved});
-  return new plumb_mesh{std::move(made.mesh)};
 }
 
 void add_contours(const Section& cut, std::size_t plane, plumb_contours& to) {
@@ -85,8 +78,8 @@ plumb_status plumb_mesh_split(const plumb_mesh* mesh, const plumb_figure* plane,
     if (of_below != nullptr) need_size(of_below, "of_below");
     const SplitSolid halves = split(resolve(mesh->mesh), plane_in(plane));
     RoundedMesh upper = round(halves.above), lower = round(halves.below);
-    std::unique_ptr<plumb_mesh> first(told_solid(std::move(upper), of_above));
-    *below = told_solid(std::move(lower), of_below);
+    std::unique_ptr<plumb_mesh> first(c::told_solid(std::move(upper), of_above));
+    *below = c::told_solid(std::move(lower), of_below);
     *above = first.release();
   });
 }
@@ -98,8 +91,8 @@ plumb_status plumb_mesh_resolve(const plumb_mesh* mesh, int rule, int merges, pl
     need(result, "result");
     if (report != nullptr) need_size(report, "report");
     c::need_choice(rule, PLUMB_POSITIVE, "rule");
-    const Pieces pieces = merges != 0 ? Pieces::of_polygons : Pieces::of_triangles;
-    *result = told_solid(round(resolve(mesh->mesh, static_cast<WindingRule>(rule), pieces)), report);
+    RoundedMesh made = round(resolve(mesh->mesh, static_cast<WindingRule>(rule), c::pieces_of(merges)));
+    *result = c::told_solid(std::move(made), report);
   });
 }
 

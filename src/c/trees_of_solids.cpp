@@ -2,10 +2,9 @@
 #include <vector>
 
 #include "c/figures.hpp"
-#include "c/handles.hpp"
+#include "c/solids.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/surface/solid/evaluate.hpp"
-#include "plumb/surface/solid/round.hpp"
 
 using namespace plumb;
 using c::guarded, c::need, c::need_size;
@@ -82,9 +81,6 @@ extern "C" plumb_status plumb_evaluate(const plumb_tree_step* steps, std::size_t
     need(steps, count, "steps");
     need(result, "result");
     if (report != nullptr) need_size(report, "report");
-    const Pieces pieces = merges != 0 ? Pieces::of_polygons : Pieces::of_triangles;
-    RoundedMesh made = round(evaluate(tree_of({steps, count}), pieces));
-    *result = new plumb_mesh{std::move(made.mesh)};
-    if (report != nullptr) c::write(report, plumb_solid_report{0, made.sound, made.moved});
+    *result = c::told_solid(round(evaluate(tree_of({steps, count}), c::pieces_of(merges))), report);
   });
 }

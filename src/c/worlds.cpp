@@ -1,37 +1,14 @@
-#include <algorithm>
-#include <optional>
-#include <string>
-#include <vector>
+// Worlds: bodies that come and go, which of them meet, and what is near.
+#include "c/worlds.hpp"
 
-#include "c/figures.hpp"
-#include "c/handles.hpp"
-#include "plumb/world/world.hpp"
+#include <string>
 
 using namespace plumb;
-using c::figure_of, c::guarded, c::need, c::need_size;
-
-/// The world, and what of it is told by pointers.
-struct plumb_world {
-  explicit plumb_world(const CollisionWorldOptions& options) : world(options), has_contacts(options.contacts) {}
-
-  CollisionWorld world;
-  bool has_contacts;
-  std::vector<plumb_world_pair> begun, kept, ended, pairs;
-  std::vector<plumb_world_contact> contacts;
-  std::vector<plumb_corner> corners;
-  std::vector<plumb_world_corner> begun_corners, ended_corners;
-};
+using c::all_told, c::figure_of, c::guarded, c::handle_of, c::need, c::need_size, c::number_of, c::rigid_of,
+    c::told_feature, c::told_part, c::write_first;
 
 namespace {
 
-plumb_body number_of(const BodyHandle& h) { return (std::uint64_t{h.generation} << 32) | h.slot; }
-BodyHandle handle_of(plumb_body n) {
-  return {static_cast<std::uint32_t>(n & 0xffffffff), static_cast<std::uint32_t>(n >> 32)};
-}
-
-RigidPose rigid_of(const plumb_rigid3& p) {
-  return {{p.w, p.x, p.y, p.z}, {p.translation[0], p.translation[1], p.translation[2]}};
-}
 AnyBody under(const AnyBody& body, const plumb_rigid3* pose) {
   return pose == nullptr ? body : body.under(rigid_of(*pose));
 }
@@ -48,85 +25,6 @@ BodyOptions options_of(const plumb_body_options* given) {
   if (given == nullptr) return {};
   need_size(given, "options");
   return {given->group, given->mask, given->user_id, given->margin, given->is_static != 0};
-}
-
-AnyRay ray_of(const plumb_figure* given) {
-  const AnyFigure figure = figure_of(given, "ray");
-  if (const auto* r = get_if<Ray3>(figure)) return *r;
-  if (const auto* s = get_if<Segment3>(figure)) return *s;
-  if (const auto* l = get_if<Line3>(figure)) return *l;
-  throw c::InvalidArgument("ray is no line, ray or segment of space that stands as it is");
-}
-
-plumb_part told_part(const BodyPart& p) { return {p.part, p.triangle}; }
-plumb_feature told_feature(const Feature& f) { return {static_cast<std::int32_t>(f.kind), f.index}; }
-plumb_world_pair told(const WorldPair& p) {
-  return {p.id_a, p.id_b, number_of(p.a), number_of(p.b), static_cast<std::int32_t>(p.relation)};
-}
-plumb_world_hit told(const WorldHit& h) {
-  plumb_world_hit to{h.user_id, number_of(h.body), told_part(h.part), h.hit.t, {}, {}};
-  c::copy(to.point, h.hit.point), c::copy(to.normal, h.hit.normal);
-  return to;
-}
-plumb_world_near told(const WorldNear& n) { return {n.user_id, number_of(n.body), told_part(n.part), n.distance}; }
-plumb_world_near_pair told(const WorldNearPair& p) {
-  return {p.id_a, p.id_b, number_of(p.a), number_of(p.b), told_part(p.part_a), told_part(p.part_b), p.distance};
-}
-plumb_world_cast told(const WorldCast& k) {
-  return {k.user_id,
-          number_of(k.body),
-          told_part(k.part),
-          k.contact.time,
-          told_feature(k.contact.feature_a),
-          told_feature(k.contact.feature_b)};
-}
-plumb_world_impact told(const WorldImpact& i) {
-  return {i.id_a,
-          i.id_b,
-          number_of(i.a),
-          number_of(i.b),
-          told_part(i.part_a),
-          told_part(i.part_b),
-          i.contact.time,
-          told_feature(i.contact.feature_a),
-          told_feature(i.contact.feature_b),
-          i.rank};
-}
-plumb_world_span told(const WorldContactSpan& s) {
-  return {s.id_a, s.id_b, number_of(s.a), number_of(s.b), s.span.from, s.span.to, s.is_certain};
-}
-plumb_body told(const BodyHandle& h) { return number_of(h); }
-
-plumb_world_corner told(const WorldCorner& k) {
-  return {k.id_a,
-          k.id_b,
-          number_of(k.a),
-          number_of(k.b),
-          told_part(k.part_a),
-          told_part(k.part_b),
-          told_feature(k.id.a),
-          told_feature(k.id.b)};
-}
-
-template <class Item>
-auto all_told(const std::vector<Item>& items) {
-  std::vector<decltype(told(items.front()))> all;
-  all.reserve(items.size());
-  for (const Item& item : items) all.push_back(told(item));
-  return all;
-}
-
-/// The first of them, as many as there is room for.
-template <class Item, class Told>
-void write_first(const std::vector<Item>& items, Told* to, std::size_t capacity, std::size_t* count) {
-  for (std::size_t i = 0; i < std::min(capacity, items.size()); ++i) to[i] = told(items[i]);
-  *count = items.size();
-}
-
-template <class Item, class Told>
-void write_found(const std::optional<Item>& item, int* found, Told* to) {
-  if (item) *to = told(*item);
-  *found = item ? 1 : 0;
 }
 
 void keep_contacts(plumb_world& w) {
@@ -322,26 +220,6 @@ plumb_status plumb_world_overlaps(const plumb_world* world, const plumb_figure* 
   });
 }
 
-plumb_status plumb_world_first_hit(const plumb_world* world, const plumb_figure* ray, std::uint32_t mask, int* found,
-                                   plumb_world_hit* hit) {
-  return guarded("plumb_world_first_hit", [&] {
-    need(world, "world");
-    need(found, "found");
-    need(hit, "hit");
-    write_found(world->world.first_hit(ray_of(ray), mask), found, hit);
-  });
-}
-
-plumb_status plumb_world_hits(const plumb_world* world, const plumb_figure* ray, std::uint32_t mask,
-                              plumb_world_hit* hits, std::size_t capacity, std::size_t* count) {
-  return guarded("plumb_world_hits", [&] {
-    need(world, "world");
-    need(hits, capacity, "hits");
-    need(count, "count");
-    write_first(world->world.hits(ray_of(ray), mask), hits, capacity, count);
-  });
-}
-
 plumb_status plumb_world_nearest(const plumb_world* world, const plumb_figure* figure, std::size_t k,
                                  std::uint32_t mask, plumb_world_near* near_bodies, std::size_t* count) {
   return guarded("plumb_world_nearest", [&] {
@@ -370,50 +248,6 @@ plumb_status plumb_world_nearest_pairs(const plumb_world* world, std::size_t k, 
     need(pairs, k, "pairs");
     need(count, "count");
     write_first(world->world.nearest_pairs(k, within), pairs, k, count);
-  });
-}
-
-plumb_status plumb_world_first_contact(const plumb_world* world, const plumb_figure* figure, const double* by,
-                                       std::uint32_t mask, int* found, plumb_world_cast* cast) {
-  return guarded("plumb_world_first_contact", [&] {
-    need(world, "world");
-    need(by, "by");
-    need(found, "found");
-    need(cast, "cast");
-    write_found(world->world.first_contact(figure_of(figure, "figure"), {by[0], by[1], by[2]}, mask), found, cast);
-  });
-}
-
-plumb_status plumb_world_first_contacts(const plumb_world* world, const plumb_body_motion* motions,
-                                        std::size_t motion_count, plumb_world_impact* impacts, std::size_t capacity,
-                                        std::size_t* count) {
-  return guarded("plumb_world_first_contacts", [&] {
-    need(world, "world");
-    need(motions, motion_count, "motions");
-    need(impacts, capacity, "impacts");
-    need(count, "count");
-    std::vector<BodyMotion> all;
-    for (std::size_t i = 0; i < motion_count; ++i) {
-      const plumb_body_motion& m = motions[i];
-      all.push_back({handle_of(m.body), {m.by[0], m.by[1], m.by[2]}});
-    }
-    write_first(world->world.first_contacts(all), impacts, capacity, count);
-  });
-}
-
-plumb_status plumb_world_first_contact_spans(const plumb_world* world, const plumb_body_turn* turns,
-                                             std::size_t turn_count, double resolution, plumb_world_span* spans,
-                                             std::size_t capacity, std::size_t* count) {
-  return guarded("plumb_world_first_contact_spans", [&] {
-    need(world, "world");
-    need(turns, turn_count, "turns");
-    need(spans, capacity, "spans");
-    need(count, "count");
-    std::vector<BodyTurn> all;
-    for (std::size_t i = 0; i < turn_count; ++i) all.push_back({handle_of(turns[i].body), rigid_of(turns[i].to)});
-    write_first(resolution == 0 ? world->world.first_contact_spans(all)
-                                : world->world.first_contact_spans(all, {.resolution = resolution}),
-                spans, capacity, count);
   });
 }
 

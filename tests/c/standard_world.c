@@ -17,6 +17,9 @@ IS_LARGE(plumb_world_near_pair, 56);
 IS_LARGE(plumb_world_cast, 48);
 IS_LARGE(plumb_world_impact, 80);
 IS_LARGE(plumb_world_span, 56);
+IS_LARGE(plumb_cast_span, 40);
+IS_LARGE(plumb_body_plan, 48);
+IS_LARGE(plumb_plan_report, 24);
 #endif
 
 static const plumb_rigid3 nowhere = {1, 0, 0, 0, {0, 0, 0}};
@@ -144,7 +147,8 @@ static void ask_questions(void) {
   plumb_world_hit hits[2];
   plumb_world_near near_bodies[3];
   plumb_world_near_pair pair;
-  plumb_world_cast cast;
+  plumb_world_cast cast, casts[2];
+  plumb_cast_span turned[2];
   plumb_world_impact impact;
   plumb_world_span span;
   plumb_body_motion motion;
@@ -164,6 +168,10 @@ static void ask_questions(void) {
   EXPECT(is_hit == 0);
   EXPECT_STATUS(plumb_world_hits(world, &ray, 0xffffffff, hits, 1, &count), PLUMB_OK);
   EXPECT(count == 2 && hits[0].user_id == 1);
+  EXPECT_STATUS(plumb_world_any_hit(world, &ray, 2, &is_hit), PLUMB_OK);
+  EXPECT(is_hit == 1);
+  EXPECT_STATUS(plumb_world_any_hit(world, &ray, 4, &is_hit), PLUMB_OK);
+  EXPECT(is_hit == 0);
   EXPECT_STATUS(plumb_world_first_hit(world, &unit, 1, &is_hit, hits), PLUMB_INVALID_ARGUMENT);
   point.as.point3.at[0] = 2;
   EXPECT_STATUS(plumb_world_nearest(world, &point, 3, 0xffffffff, near_bodies, &count), PLUMB_OK);
@@ -177,6 +185,17 @@ static void ask_questions(void) {
   EXPECT(count == 1 && pair.a == ball && pair.b == rock && pair.distance == 4);
   EXPECT_STATUS(plumb_world_first_contact(world, &unit, way, 2, &is_hit, &cast), PLUMB_OK);
   EXPECT(is_hit == 1 && cast.body == rock && cast.time < 0.5 && cast.time > 0.3999);
+  EXPECT_STATUS(plumb_world_contacts_along(world, &unit, way, 3, casts, 2, &count), PLUMB_OK);
+  EXPECT(count == 2 && casts[0].body == ball && casts[0].time == 0 && casts[1].time == cast.time);
+  turn.to = nowhere;
+  turn.to.translation[0] = 10;
+  EXPECT_STATUS(plumb_world_contact_spans_along(world, &unit, &turn.to, 2, ldexp(1, -6), turned, 2, &count), PLUMB_OK);
+  EXPECT(count == 1 && turned[0].body == rock && turned[0].user_id == 2);
+  EXPECT(turned[0].from <= cast.time && cast.time <= turned[0].to && turned[0].to - turned[0].from <= ldexp(1, -6));
+  EXPECT_STATUS(plumb_world_contact_spans_along(world, &unit, &turn.to, 3, 0, turned, 1, &count), PLUMB_OK);
+  EXPECT(count == 2 && turned[0].body == ball && turned[0].from == 0);
+  EXPECT_STATUS(plumb_world_contact_spans_along(world, &unit, NULL, 3, 0, turned, 1, &count), PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_world_contact_spans_along(world, &unit, &turn.to, 3, -1, turned, 1, &count), PLUMB_FAILED);
   motion.body = ball;
   memcpy(motion.by, way, sizeof way);
   EXPECT_STATUS(plumb_world_first_contacts(world, &motion, 1, &impact, 1, &count), PLUMB_OK);
@@ -190,6 +209,64 @@ static void ask_questions(void) {
   EXPECT_STATUS(plumb_world_first_contact_spans(world, &turn, 1, 0, &span, 1, &count), PLUMB_INVALID_SHAPE);
   EXPECT(strstr(plumb_last_error(), "body 1") != NULL);
   plumb_world_destroy(world);
+}
+
+/* Two terrains, one a half below the other, which none of their triangles says, but hulls do. */
+static void plan_proxies(void) {
+  plumb_world* world = NULL;
+  plumb_mesh* land = NULL;
+  double heights[85], numbers[5] = {1, 1, 0, 0, 0};
+  const double* vertices = NULL;
+  plumb_body low = 0, high = 0, ball = 0;
+  plumb_body_options id = named(1);
+  plumb_rigid3 below = nowhere;
+  plumb_figure unit = ball_at(3, 2, 9);
+  plumb_body_plan plans[3];
+  plumb_plan_report report;
+  const plumb_world_pair* pairs = NULL;
+  size_t count = 9, i;
+  int proxy = 9;
+  for (i = 0; i < 85; ++i) heights[i] = (double)(i % 17) + 0.25 * (double)(i % 2);
+  EXPECT_STATUS(plumb_heightfield_mesh(heights, 17, 5, numbers, numbers + 2, &land), PLUMB_OK);
+  EXPECT_STATUS(plumb_mesh_vertices(land, &vertices, &count), PLUMB_OK);
+  EXPECT(count == 85 && vertices[3 * 18] == 1 && vertices[3 * 18 + 1] == 1 && vertices[3 * 18 + 2] == heights[18]);
+  EXPECT_STATUS(plumb_world_create(NULL, &world), PLUMB_OK);
+  EXPECT_STATUS(plumb_world_add_mesh(world, land, NULL, &id, &high), PLUMB_OK);
+  id.user_id = 2;
+  below.translation[0] = 0.5, below.translation[2] = -1;
+  EXPECT_STATUS(plumb_world_add_mesh(world, land, &below, &id, &low), PLUMB_OK);
+  id.user_id = 3;
+  EXPECT_STATUS(plumb_world_add(world, &unit, 1, NULL, &id, &ball), PLUMB_OK);
+  report.size = sizeof report;
+  EXPECT_STATUS(plumb_world_plan(world, plans, 3, &count, &report), PLUMB_OK);
+  EXPECT(count == 2 && plans[0].body == high && plans[1].user_id == 2 && plans[0].saved > 0);
+  EXPECT(plans[0].proxy != PLUMB_PROXY_NONE && report.questions_with < report.questions_without);
+  EXPECT_STATUS(plumb_world_proxy(world, high, &proxy), PLUMB_OK);
+  EXPECT(proxy == PLUMB_PROXY_NONE);
+  EXPECT_STATUS(plumb_world_adopt(world, plans, count), PLUMB_OK);
+  EXPECT_STATUS(plumb_world_proxy(world, high, &proxy), PLUMB_OK);
+  EXPECT(proxy == plans[0].proxy);
+  EXPECT_STATUS(plumb_world_plan(world, NULL, 0, &count, NULL), PLUMB_OK);
+  EXPECT(count == 2);
+  EXPECT_STATUS(plumb_world_commit(world, NULL), PLUMB_OK);
+  EXPECT_STATUS(plumb_world_pairs(world, &pairs, &count), PLUMB_OK);
+  EXPECT(count == 0);
+  EXPECT_STATUS(plumb_world_set_proxy(world, high, 4), PLUMB_INVALID_ARGUMENT);
+  plans[0].proxy = -1;
+  EXPECT_STATUS(plumb_world_adopt(world, plans, 1), PLUMB_INVALID_ARGUMENT);
+  plans[0].proxy = PLUMB_PROXY_SPHERE, plans[0].body = 77;
+  EXPECT_STATUS(plumb_world_adopt(world, plans, 1), PLUMB_FAILED);
+  plumb_world_destroy(world);
+  plumb_mesh_destroy(land);
+  land = NULL;
+  EXPECT_STATUS(plumb_heightfield_mesh(heights, 1, 5, NULL, NULL, &land), PLUMB_INVALID_SHAPE);
+  EXPECT_STATUS(plumb_heightfield_mesh(heights, (size_t)1 << 40, (size_t)1 << 40, NULL, NULL, &land),
+                PLUMB_INVALID_SHAPE);
+  EXPECT_STATUS(plumb_heightfield_mesh(NULL, 2, 2, NULL, NULL, &land), PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_heightfield_mesh(NULL, 0, 0, NULL, NULL, &land), PLUMB_INVALID_SHAPE);
+  heights[2] = NAN;
+  EXPECT_STATUS(plumb_heightfield_mesh(heights, 2, 2, NULL, NULL, &land), PLUMB_NON_FINITE);
+  EXPECT(land == NULL);
 }
 
 static void refuse(void) {
@@ -226,6 +303,7 @@ int main(void) {
   ask_pairs();
   ask_filter();
   ask_questions();
+  plan_proxies();
   refuse();
   if (failures == 0) puts("all is as expected");
   return failures != 0;
