@@ -23,8 +23,8 @@ PYBIND11_MODULE(_plumb, module) {
   for (void (*add)(py::module_&) :
        {rooms::add_errors, rooms::add_signs, rooms::add_mesh, rooms::add_bvh, rooms::add_figures,
         rooms::add_figure_questions, rooms::add_kd_tree, rooms::add_hull, rooms::add_surface, rooms::add_topology,
-        rooms::add_solids, rooms::add_planar, rooms::add_generated, rooms::add_fuzzing, rooms::add_world,
-        rooms::add_clash})
+        rooms::add_exact_meshes, rooms::add_solids, rooms::add_planar, rooms::add_generated, rooms::add_fuzzing,
+        rooms::add_heightfields, rooms::add_world, rooms::add_clash})
     add(module);
   module.attr("__all__") = names_in(module);
 }

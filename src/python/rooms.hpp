@@ -18,10 +18,12 @@ void add_kd_tree(pybind11::module_& module);
 void add_hull(pybind11::module_& module);
 void add_planar(pybind11::module_& module);
 void add_solids(pybind11::module_& module);
+void add_exact_meshes(pybind11::module_& module);
 void add_surface(pybind11::module_& module);
 void add_topology(pybind11::module_& module);
 void add_generated(pybind11::module_& module);
 void add_fuzzing(pybind11::module_& module);
+void add_heightfields(pybind11::module_& module);
 void add_world(pybind11::module_& module);
 void add_clash(pybind11::module_& module);
 

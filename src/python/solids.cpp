@@ -1,12 +1,14 @@
+#include "python/solids.hpp"
+
 #include <pybind11/stl.h>
+
+#include <algorithm>
 
 #include "plumb/query/body/any_figure.hpp"
 #include "plumb/surface/solid/evaluate.hpp"
-#include "plumb/surface/solid/round.hpp"
 #include "plumb/surface/solid/split.hpp"
 #include "python/figure_members.hpp"
 #include "python/fractions.hpp"
-#include "python/mesh.hpp"
 #include "python/named.hpp"
 #include "python/rooms.hpp"
 #include "python/unlocked.hpp"
@@ -14,34 +16,56 @@
 namespace plumb::python {
 namespace {
 
-using Operation = ExactMesh (*)(std::span<const TriangleMesh>, WindingRule, Pieces);
+/// The same operation of meshes as given, and of exact ones.
+struct Operation {
+  const char* name;
+  ExactMesh (*of_meshes)(std::span<const TriangleMesh>, WindingRule, Pieces);
+  ExactMesh (*of_exact)(std::span<const ExactMesh>, WindingRule, Pieces);
+};
 
-Pieces pieces_of(bool merge) { return merge ? Pieces::of_polygons : Pieces::of_triangles; }
-
-py::object shown(RoundedMesh r) {
-  py::array_t<std::int32_t> rows(std::vector<py::ssize_t>{static_cast<py::ssize_t>(r.sources.size()), 2});
-  std::int32_t* to = rows.mutable_data();
-  for (const SourceFace& f : r.sources) {
-    *to++ = static_cast<std::int32_t>(f.mesh);
-    *to++ = static_cast<std::int32_t>(f.triangle);
-  }
-  return answer("Combined", std::make_shared<TriangleMesh>(std::move(r.mesh)), r.sound, r.moved, rows);
+/// As it is, or rounded: work() makes an ExactMesh, or several.
+template <class Work>
+py::object made_by(const Work& work, bool exact) {
+  if (exact) return py::cast(std::make_shared<ExactMesh>(unlocked(work)));
+  return shown(unlocked([&] { return round(work()); }));
 }
 
-py::object combined(const char* name, Operation operation, const py::args& meshes, bool merge) {
-  std::vector<TriangleMesh> solids;
-  for (const py::handle& mesh : meshes) {
-    if (!py::isinstance<TriangleMesh>(mesh)) throw py::type_error(std::string(name) + ": takes meshes alone");
-    solids.push_back(mesh.cast<const TriangleMesh&>());
-  }
-  return shown(unlocked([&] { return round(operation(solids, WindingRule::positive, pieces_of(merge))); }));
+/// f(mesh), of one as given or of an exact one.
+template <class F>
+auto with_mesh(const py::handle& given, const char* function, const F& f) {
+  if (py::isinstance<TriangleMesh>(given)) return f(given.cast<const TriangleMesh&>());
+  if (py::isinstance<ExactMesh>(given)) return f(given.cast<const ExactMesh&>());
+  throw py::type_error(std::string(function) + ": takes a Mesh or an ExactMesh");
 }
 
-py::object resolved(const TriangleMesh& mesh, const std::string& rule, bool merge) {
+py::object combined(const Operation& operation, const py::args& meshes, bool merge, bool exact) {
+  const Pieces pieces = pieces_of(merge);
+  const auto is_exact = [](const py::handle& mesh) { return py::isinstance<ExactMesh>(mesh); };
+  if (std::none_of(meshes.begin(), meshes.end(), is_exact)) {
+    std::vector<TriangleMesh> solids;
+    for (const py::handle& mesh : meshes) {
+      if (!py::isinstance<TriangleMesh>(mesh))
+        throw py::type_error(std::string(operation.name) + ": takes meshes alone");
+      solids.push_back(mesh.cast<const TriangleMesh&>());
+    }
+    return made_by([&] { return operation.of_meshes(solids, WindingRule::positive, pieces); }, exact);
+  }
+  struct AsExact {
+    ExactMesh operator()(const TriangleMesh& mesh) const { return exact_mesh(mesh); }
+    ExactMesh operator()(const ExactMesh& mesh) const { return mesh; }
+  };
+  std::vector<ExactMesh> solids;
+  for (const py::handle& mesh : meshes) solids.push_back(with_mesh(mesh, operation.name, AsExact{}));
+  return made_by([&] { return operation.of_exact(solids, WindingRule::positive, pieces); }, exact);
+}
+
+py::object resolved(const py::handle& given, const std::string& rule, bool merge, bool exact) {
   const auto by = named<WindingRule>(
       {"resolve", "rule"}, rule,
       {{"odd", WindingRule::odd}, {"nonzero", WindingRule::nonzero}, {"positive", WindingRule::positive}});
-  return shown(unlocked([&] { return round(resolve(mesh, by, pieces_of(merge))); }));
+  return with_mesh(given, "resolve", [&](const auto& mesh) {
+    return made_by([&] { return resolve(mesh, by, pieces_of(merge)); }, exact);
+  });
 }
 
 AnyPlane3 cutting_plane(const py::handle& given) {
@@ -51,13 +75,12 @@ AnyPlane3 cutting_plane(const py::handle& given) {
   throw py::value_error("split: plane is a figure that is no Plane3 or ThreePointPlane3");
 }
 
-py::tuple halves(const TriangleMesh& mesh, const py::handle& plane) {
+py::tuple halves(const py::handle& given, const py::handle& plane, bool exact) {
   const AnyPlane3 by = cutting_plane(plane);
-  std::array<RoundedMesh, 2> made = unlocked([&] {
-    const SplitSolid exact = split(resolve(mesh), by);
-    return std::array{round(exact.above), round(exact.below)};
-  });
-  return py::make_tuple(shown(std::move(made[0])), shown(std::move(made[1])));
+  SplitSolid made =
+      with_mesh(given, "split", [&](const auto& mesh) { return unlocked([&] { return split(resolve(mesh), by); }); });
+  const auto half = [exact](ExactMesh& of) { return made_by([&of] { return std::move(of); }, exact); };
+  return py::make_tuple(half(made.above), half(made.below));
 }
 
 template <class... Shapes>
@@ -99,51 +122,75 @@ Csg3 tree_of_python(const py::handle& given) {
   return tree;
 }
 
-py::object evaluated(const py::handle& given, bool merge) {
+py::object evaluated(const py::handle& given, bool merge, bool exact) {
   const Csg3 tree = tree_of_python(given);
-  return shown(unlocked([&] { return round(evaluate(tree, pieces_of(merge))); }));
+  return made_by([&] { return evaluate(tree, pieces_of(merge)); }, exact);
 }
 
 }  // namespace
 
+py::array_t<std::int32_t> told_sources(const std::vector<SourceFace>& sources) {
+  py::array_t<std::int32_t> rows(std::vector<py::ssize_t>{static_cast<py::ssize_t>(sources.size()), 2});
+  std::int32_t* to = rows.mutable_data();
+  for (const SourceFace& f : sources) {
+    *to++ = static_cast<std::int32_t>(f.mesh);
+    *to++ = static_cast<std::int32_t>(f.triangle);
+  }
+  return rows;
+}
+
+py::object shown(RoundedMesh rounded) {
+  return answer("Combined", std::make_shared<TriangleMesh>(std::move(rounded.mesh)), rounded.sound, rounded.moved,
+                told_sources(rounded.sources));
+}
+
 void add_solids(py::module_& module) {
-  const auto add = [&module](const char* name, Operation operation, const std::string& question) {
+  const auto add = [&module](const Operation& operation, const std::string& question) {
     module.def(
-        name,
-        [name, operation](const py::args& meshes, bool merge) { return combined(name, operation, meshes, merge); },
-        py::kw_only(), py::arg("merge") = false,
-        (std::string(name) + "(*meshes, merge=False)\n--\n\n" + question +
+        operation.name,
+        [operation](const py::args& meshes, bool merge, bool exact) {
+          return combined(operation, meshes, merge, exact);
+        },
+        py::kw_only(), py::arg("merge") = false, py::arg("exact") = false,
+        (std::string(operation.name) + "(*meshes, merge=False, exact=False)\n--\n\n" + question +
          "\n\nThe solids are those that the closed meshes bound; the result is exact before it is rounded once.\n\n"
-         "Parameters\n----------\n*meshes : Mesh, closed and wound outward\nmerge : all that lies in one "
-         "plane becomes as few triangles as can be\n\nReturns\n-------\nCombined\n\n"
-         "Raises\n------\nValueError\n    If a mesh is open or its triangles run against each other; the text names "
-         "an edge.")
+         "Parameters\n----------\n*meshes : Mesh or ExactMesh, closed and wound outward\nmerge : all that lies in one "
+         "plane becomes as few triangles as can be\nexact : not rounded\n\nReturns\n-------\nCombined; where exact, "
+         "ExactMesh\n\nRaises\n------\nValueError\n    If a mesh is open or its triangles run against each other; the "
+         "text names an edge.")
             .c_str());
   };
-  add("unite", &unite, "Which solid is all that is in any of these?");
-  add("intersect", &intersect, "Which solid is all that is in each of these?");
-  add("subtract", &subtract, "Which solid is all that is in the first of these, and in none of the others?");
-  add("symmetric_difference", &symmetric_difference, "Which solid is all that is in an odd number of these?");
+  add({"unite", &unite, &unite}, "Which solid is all that is in any of these?");
+  add({"intersect", &intersect, &intersect}, "Which solid is all that is in each of these?");
+  add({"subtract", &subtract, &subtract},
+      "Which solid is all that is in the first of these, and in none of the others?");
+  add({"symmetric_difference", &symmetric_difference, &symmetric_difference},
+      "Which solid is all that is in an odd number of these?");
   module.def(
       "resolve", &resolved, py::arg("mesh"), py::arg("rule") = "positive", py::kw_only(), py::arg("merge") = false,
-      "resolve(mesh, rule='positive', *, merge=False)\n--\n\nWhich solid does a mesh that crosses itself "
-      "bound?\n\nParameters\n----------\nmesh : Mesh, closed\nrule : 'positive', 'nonzero' or 'odd'; around what "
-      "the surface winds so often is in the solid\nmerge : all that lies in one plane becomes as few triangles "
-      "as can be\n\nReturns\n-------\nCombined\n\nRaises\n------\nValueError\n    If the mesh is open.");
-  module.def("split", &halves, py::arg("mesh"), py::arg("plane"),
-             "split(mesh, plane)\n--\n\nWhich solids are on the two sides of a plane?\n\nBoth have the same corners "
-             "where they are cut.\n\nParameters\n----------\nmesh : Mesh, closed and wound outward\nplane : Plane3 or "
-             "ThreePointPlane3\n\nReturns\n-------\ntuple of two of Combined, that on the normal's side first; sources "
-             "of faces in the plane are -1\n\nRaises\n------\nValueError\n    If the mesh is open, or the plane has no "
-             "normal.");
+      py::arg("exact") = false,
+      "resolve(mesh, rule='positive', *, merge=False, exact=False)\n--\n\nWhich solid does a mesh that crosses itself "
+      "bound?\n\nParameters\n----------\nmesh : Mesh or ExactMesh, closed\nrule : 'positive', 'nonzero' or 'odd'; "
+      "around what the surface winds so often is in the solid\nmerge : all that lies in one plane becomes as few "
+      "triangles as can be\nexact : not rounded\n\nReturns\n-------\nCombined; where exact, "
+      "ExactMesh\n\nRaises\n------\n"
+      "ValueError\n    If the mesh is open.");
+  module.def("split", &halves, py::arg("mesh"), py::arg("plane"), py::kw_only(), py::arg("exact") = false,
+             "split(mesh, plane, *, exact=False)\n--\n\nWhich solids are on the two sides of a plane?\n\nBoth have the "
+             "same corners where they are cut.\n\nParameters\n----------\nmesh : Mesh or ExactMesh, closed and wound "
+             "outward\nplane : Plane3 or ThreePointPlane3\nexact : not rounded\n\nReturns\n-------\ntuple of two of "
+             "Combined, where exact of ExactMesh, that on the normal's side first; sources of faces in the plane are "
+             "-1\n\nRaises\n------\nValueError\n    If the mesh is open, or the plane has no normal.");
   module.def(
-      "evaluate", &evaluated, py::arg("tree"), py::kw_only(), py::arg("merge") = false,
-      "evaluate(tree, *, merge=False)\n--\n\nWhich solid does a tree of operations make?\n\nIt is exact however "
-      "deep the tree is, and rounded once at the end.\n\nParameters\n----------\ntree : Mesh, closed and wound "
+      "evaluate", &evaluated, py::arg("tree"), py::kw_only(), py::arg("merge") = false, py::arg("exact") = false,
+      "evaluate(tree, *, merge=False, exact=False)\n--\n\nWhich solid does a tree of operations make?\n\nIt is exact "
+      "however deep the tree is, and rounded once at the end.\n\nParameters\n----------\ntree : Mesh, closed and wound "
       "outward; figure that is a solid with flat sides; or tuple of 'unite', 'intersect', 'subtract' or "
       "'symmetric_difference' and the trees that it takes, in turn\nmerge : all that lies in one plane becomes as few "
-      "triangles as can be\n\nReturns\n-------\nCombined, whose sources count the tree's leaves\n\nRaises\n------"
-      "\nValueError\n    If a mesh is open, a figure is round or unbounded, or an operation is unknown.");
+      "triangles as can be\nexact : not rounded\n\nReturns\n-------\nCombined, or where exact ExactMesh, whose sources "
+      "count the tree's leaves\n\nRaises\n------\nValueError\n    If a mesh is open, a figure is round or unbounded, "
+      "or "
+      "an operation is unknown.");
 }
 
 }  // namespace plumb::python

@@ -1,9 +1,8 @@
-// Worlds: bodies that come, go and move by rigid poses.  A handle is an integer: the generation above, the slot below.
-#include "plumb/world/world.hpp"
+// Worlds: bodies that come, go and move by rigid poses.
+#include "python/world.hpp"
 
 #include <limits>
 
-#include "python/figure_answers.hpp"
 #include "python/figure_class.hpp"
 #include "python/mesh.hpp"
 #include "python/rooms.hpp"
@@ -12,18 +11,8 @@
 namespace plumb::python {
 namespace {
 
-std::uint64_t number_of(const BodyHandle& h) { return (std::uint64_t{h.generation} << 32) | h.slot; }
-BodyHandle handle_of(std::uint64_t n) {
-  return {static_cast<std::uint32_t>(n & 0xffffffff), static_cast<std::uint32_t>(n >> 32)};
-}
-
 AnyPose pose_in(const py::object& turn, const py::object& translation, std::string_view function) {
   return pose_of(3, py::none(), turn, translation, function);
-}
-RigidPose rigid_in(const py::object& turn, const py::object& translation, std::string_view function) {
-  const AnyPose pose = pose_in(turn, translation, function);
-  const auto* rigid = std::get_if<RigidPose>(&pose);
-  return rigid != nullptr ? *rigid : RigidPose{};
 }
 
 /// A figure, a mesh, or a list of these, which is a compound.
@@ -42,31 +31,12 @@ AnyBody body_under(const py::object& given, const py::object& turn, const py::ob
   return body.under(pose_in(turn, translation, "CollisionWorld.add"));
 }
 
-AnyRay ray_of(const py::object& given) {
-  const AnyFigure figure = figure_or_point(given, {"CollisionWorld.first_hit", "ray"});
-  if (const auto* r = get_if<Ray3>(figure)) return *r;
-  if (const auto* s = get_if<Segment3>(figure)) return *s;
-  if (const auto* l = get_if<Line3>(figure)) return *l;
-  throw py::type_error("CollisionWorld.first_hit: ray is no Ray3, Segment3 or Line3 of space");
-}
-Vector3 way_of(const py::object& given, const char* function) {
-  bool single = false;
-  const py::array_t<double> rows = row_or_rows_of(given, {function, "by"}, 3, single);
-  if (rows.size() != 3) throw py::value_error(std::string(function) + ": by has several rows; give three numbers");
-  return points_of<Vector3>(rows)[0];
-}
-
 py::array_t<std::uint64_t> told_handles(const std::vector<WorldPair>& pairs) {
   py::array_t<std::uint64_t> out(std::vector<py::ssize_t>{static_cast<py::ssize_t>(pairs.size()), 2});
   std::uint64_t* at = out.mutable_data();
   for (const WorldPair& p : pairs) *at++ = number_of(p.a), *at++ = number_of(p.b);
   return out;
 }
-py::tuple told_part(const BodyPart& p) { return py::make_tuple(p.part, p.triangle); }
-py::object told_contact(const Contact& c) {
-  return answer("FirstContact", c.time, answer_of(c.feature_a), answer_of(c.feature_b));
-}
-
 py::object commit(CollisionWorld& self) {
   const WorldEvents& now = unlocked([&]() -> const WorldEvents& { return self.commit(); });
   return answer("WorldEvents", told_handles(now.begun), told_handles(now.kept), told_handles(now.ended));
@@ -89,11 +59,17 @@ py::list contacts(const CollisionWorld& self) {
   return all;
 }
 
-py::object first_hit_of(const CollisionWorld& self, const py::object& ray, std::uint32_t mask) {
-  const auto hit = self.first_hit(ray_of(ray), mask);
-  if (!hit) return py::none();
-  return answer("WorldHit", number_of(hit->body), told_part(hit->part), hit->hit.t, row_of(hit->hit.point, 3),
-                row_of(hit->hit.normal, 3));
+py::list told_corners(const std::vector<WorldCorner>& corners) {
+  py::list all;
+  for (const WorldCorner& c : corners) {
+    all.append(answer("WorldCorner", number_of(c.a), number_of(c.b), told_part(c.part_a), told_part(c.part_b),
+                      py::make_tuple(answer_of(c.id.a), answer_of(c.id.b))));
+  }
+  return all;
+}
+py::object corner_events(const CollisionWorld& self) {
+  const WorldContactEvents& events = self.contact_events();
+  return answer("WorldCornerEvents", told_corners(events.begun), told_corners(events.ended));
 }
 
 py::list told_near(const std::vector<WorldNear>& near) {
@@ -102,64 +78,25 @@ py::list told_near(const std::vector<WorldNear>& near) {
   return all;
 }
 
-py::object first_contact_of(const CollisionWorld& self, const py::object& figure, const py::object& by,
-                            std::uint32_t mask) {
-  const AnyFigure moving = figure_or_point(figure, {"CollisionWorld.first_contact", "figure"});
-  const auto cast = self.first_contact(moving, way_of(by, "CollisionWorld.first_contact"), mask);
-  if (!cast) return py::none();
-  return answer("WorldCast", number_of(cast->body), told_part(cast->part), told_contact(cast->contact));
-}
-
-py::list impacts(const CollisionWorld& self, const py::dict& motions) {
-  std::vector<BodyMotion> all;
-  for (const auto& [body, by] : motions) {
-    all.push_back({handle_of(body.cast<std::uint64_t>()),
-                   way_of(py::reinterpret_borrow<py::object>(by), "CollisionWorld.first_contacts")});
-  }
-  py::list told;
-  for (const WorldImpact& c : unlocked([&] { return self.first_contacts(all); })) {
-    told.append(answer("WorldImpact", number_of(c.a), number_of(c.b), told_part(c.part_a), told_part(c.part_b),
-                       told_contact(c.contact), c.rank));
-  }
-  return told;
-}
-
-py::list spans(const CollisionWorld& self, const py::dict& turns, double resolution) {
-  constexpr const char* function = "CollisionWorld.first_contact_spans";
-  std::vector<BodyTurn> all;
-  for (const auto& [body, to] : turns) {
-    if (!py::isinstance<py::tuple>(to) || py::len(to) != 2) {
-      throw py::type_error(std::string(function) + ": turns has no pair of a turn and a translation");
-    }
-    const auto pose = to.cast<py::tuple>();
-    all.push_back({handle_of(body.cast<std::uint64_t>()), rigid_in(pose[0], pose[1], function)});
-  }
-  const HalvingOptions options{.resolution = resolution};
-  py::list told;
-  for (const WorldContactSpan& c : unlocked([&] { return self.first_contact_spans(all, options); })) {
-    told.append(answer("WorldContactSpan", number_of(c.a), number_of(c.b), c.span.from, c.span.to, c.is_certain));
-  }
-  return told;
-}
-
-using World = py::class_<CollisionWorld>;
-
 void add_bodies(World& world) {
   world
       .def(
           "add",
           [](CollisionWorld& self, const py::object& body, std::uint32_t group, std::uint32_t mask,
-             std::uint64_t user_id, double margin, bool is_static, const py::object& turn,
+             std::uint64_t user_id, double margin, bool is_static, const std::string& proxy, const py::object& turn,
              const py::object& translation) {
-            return number_of(self.add(body_under(body, turn, translation), {group, mask, user_id, margin, is_static}));
+            const ProxyKind kind = proxy_in(proxy, "CollisionWorld.add");
+            return number_of(
+                self.add(body_under(body, turn, translation), {group, mask, user_id, margin, is_static, kind}));
           },
           py::arg("body"), py::kw_only(), py::arg("group") = 1, py::arg("mask") = every_group, py::arg("user_id") = 0,
-          py::arg("margin") = 0.0, py::arg("is_static") = false, py::arg("turn") = py::none(),
-          py::arg("translation") = py::none(),
-          "add(self, body, *, group=1, mask=0xffffffff, user_id=0, margin=0.0, is_static=False, turn=None,\n"
+          py::arg("margin") = 0.0, py::arg("is_static") = false, py::arg("proxy") = "none",
+          py::arg("turn") = py::none(), py::arg("translation") = py::none(),
+          "add(self, body, *, group=1, mask=0xffffffff, user_id=0, margin=0.0, is_static=False, proxy='none', "
+          "turn=None,\n"
           "    translation=None)\n--\n\nPuts a bounded figure of space, a Mesh, or a list of these as one body into "
-          "the "
-          "world.\n\nReturns\n-------\nint, its handle, which names no other body ever")
+          "the world.  Its proxy, a\n'sphere', 'box' or 'hull', is asked first, and changes no "
+          "answer.\n\nReturns\n-------\nint, its handle, which names no other body ever")
       .def(
           "move",
           [](CollisionWorld& self, std::uint64_t body, const py::object& turn, const py::object& translation) {
@@ -206,7 +143,7 @@ void add_answers(World& world) {
           "check",
           [](const CollisionWorld& self, std::size_t samples) {
             py::list told;
-            for (const std::string& sentence : self.check(samples)) told.append(sentence);
+            for (const std::string& sentence : unlocked([&] { return self.check(samples); })) told.append(sentence);
             return told;
           },
           py::arg("samples") = 256,
@@ -215,6 +152,9 @@ void add_answers(World& world) {
       .def("contacts", contacts,
            "contacts(self)\n--\n\nWhere parts touch, as of the last commit, of a world made with contacts=True: a list "
            "of WorldContact.")
+      .def("corner_events", corner_events,
+           "corner_events(self)\n--\n\nWhich corners of contacts have begun and ended since the commit before the "
+           "last?  All others were there\nbefore.\n\nReturns\n-------\nWorldCornerEvents")
       .def(
           "overlaps",
           [](const CollisionWorld& self, const py::object& figure, std::uint32_t mask) {
@@ -227,9 +167,6 @@ void add_answers(World& world) {
           "overlaps(self, figure, mask=0xffffffff)\n--\n\nThe handles of the bodies that have a point in the figure, "
           "as "
           "they stand now.")
-      .def("first_hit", first_hit_of, py::arg("ray"), py::arg("mask") = every_group,
-           "first_hit(self, ray, mask=0xffffffff)\n--\n\nWhich body does a Ray3, Segment3 or Line3 hit first?\n\n"
-           "Returns\n-------\nWorldHit, or None")
       .def(
           "nearest",
           [](const CollisionWorld& self, const py::object& figure, std::size_t k, std::uint32_t mask) {
@@ -258,24 +195,16 @@ void add_answers(World& world) {
           },
           py::arg("k") = 1, py::arg("within") = std::numeric_limits<double>::infinity(),
           "nearest_pairs(self, k=1, within=inf)\n--\n\nThe k pairs of bodies nearest to one another and no farther "
-          "than that: a list of\nWorldNearPair, nearest first.")
-      .def("first_contact", first_contact_of, py::arg("figure"), py::arg("by"), py::arg("mask") = every_group,
-           "first_contact(self, figure, by, mask=0xffffffff)\n--\n\nWhich body does a figure that moves along a vector "
-           "come to first?\n\nReturns\n-------\nWorldCast, or None")
-      .def("first_contacts", impacts, py::arg("motions"),
-           "first_contacts(self, motions)\n--\n\nBodies move at once, each by a vector during time [0, 1]: which pairs "
-           "meet, and when first?\n\nParameters\n----------\nmotions : dict of handles and vectors\n\n"
-           "Returns\n-------\nlist of WorldImpact, by exact times; those of one rank are at exactly one time")
-      .def(
-          "first_contact_spans", spans, py::arg("turns"), py::arg("resolution") = 0x1p-12,
-          "first_contact_spans(self, turns, resolution=2**-12)\n--\n\nBodies go at once, each from its pose to another "
-          "during time [0, 1]: which pairs may meet, and when\nfirst?\n\nParameters\n----------\nturns : dict of "
-          "handles "
-          "and pairs (turn, translation), each may be None\nresolution : float, the longest span that is told\n\n"
-          "Returns\n-------\nlist of WorldContactSpan; before its span a pair does not meet, for certain");
+          "than that: a list of\nWorldNearPair, nearest first.");
 }
 
 }  // namespace
+
+RigidPose rigid_in(const py::object& turn, const py::object& translation, std::string_view function) {
+  const AnyPose pose = pose_in(turn, translation, function);
+  const auto* rigid = std::get_if<RigidPose>(&pose);
+  return rigid != nullptr ? *rigid : RigidPose{};
+}
 
 void add_world(py::module_& module) {
   World world(
@@ -289,6 +218,8 @@ void add_world(py::module_& module) {
             py::arg("contacts") = false);
   add_bodies(world);
   add_answers(world);
+  add_world_motion(world);
+  add_world_plan(world);
 }
 
 }  // namespace plumb::python

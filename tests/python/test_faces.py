@@ -48,7 +48,8 @@ def questions():
 def table(heading):
     """The rows of the table below a heading."""
     part = PAGE.split(f"\n## {heading}\n")[1].split("\n## ")[0]
-    return [[cell.strip() for cell in line.split("|")[1:-1]] for line in part.splitlines() if line.startswith("| `")]
+    return [[cell.strip() for cell in line.split("|")[1:-1]] for line in part.splitlines()
+            if line.startswith(("| `", "| its `"))]
 
 
 def rows():
@@ -84,21 +85,24 @@ def test_what_python_and_c_are_said_to_have_is_there():
     assert done > 20
 
 
-def of_worlds(row):
-    """These are methods of a class, which no function of the module is."""
-    return row.startswith(("`CollisionWorld`", "its "))
+def of_classes(row):
+    """A class, or its methods, which no function of the module is."""
+    return row.startswith(("`CollisionWorld`", "`ExactMesh`", "`Heightfield`", "its "))
 
 
 def test_every_question_about_surfaces_has_its_row():
     asked = set()
-    for source in ("surface", "topology", "planar", "solids", "clash"):
+    for source in ("surface", "topology", "planar", "solids", "exact_meshes", "clash"):
         text = (TREE / f"src/python/{source}.cpp").read_text()
-        asked |= set(re.findall(r'(?:module\.def\(|\badd\()\s*"(\w+)"', text))
+        asked |= set(re.findall(r'(?:module\.def\(|\badd\(\{)\s*"(\w+)"', text))
     rows = [row[0] for row in table("About signs, points, boxes and meshes")]
-    named = [name for row in rows if not of_worlds(row) for name in re.findall(r"`(\w+)`", row)]
+    named = [name for row in rows if not of_classes(row) for name in re.findall(r"`(\w+)`", row)]
     assert len(asked) > 15 and sorted(named) == sorted(asked)
-    face = face_of_c()
+    face, of = face_of_c(), None
     for row in table("About signs, points, boxes and meshes"):
+        names = re.findall(r"`(\w+)`", row[0])
+        of = getattr(plumb, names.pop(0)) if row[0].startswith("`") else of
+        assert not of_classes(row[0]) or all(hasattr(of, name) for name in names)
         done = re.findall(r"`(\w+)`", row[1])
         assert done and all(re.search(rf"\b{name}\(", face) for name in done)
 

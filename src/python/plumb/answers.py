@@ -3,14 +3,15 @@
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
-__all__ = ["Arrangement", "BoundaryLoop", "Clash", "ClosestPoints", "Combined", "ConvexPart", "CoplanarFace", "CoplanarFaces",
+__all__ = ["Arrangement", "BodyPlan", "BoundaryLoop", "Clash", "ClosestPoints", "Combined", "ConvexPart", "CoplanarFace", "CoplanarFaces",
            "CoveringPart", "Delaunay",
            "Contact", "ContactCorner", "Contour", "ExactContact", "ExactContactCorner", "ExactDistance",
-           "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "MeshReport",
+           "ExactPenetration", "Feature", "FirstContact", "HausdorffDistance", "Hit", "Intersection", "IntersectionCurve",
+           "MeshReport",
            "MergedVertex", "MinimumSphere", "Penetration", "PolynomialRoot", "RepairChange", "Repaired", "SquareRoot", "Support",
-           "SurfaceKind", "Voronoi", "Welded", "WorldCast", "WorldContact", "WorldContactSpan",
-           "WorldEvents", "WorldHit", "WorldImpact",
-           "WorldNear", "WorldNearPair"]
+           "SurfaceKind", "Voronoi", "Welded", "WorldCast", "WorldCastSpan", "WorldContact",
+           "WorldContactSpan", "WorldCorner", "WorldCornerEvents", "WorldEvents", "WorldHit", "WorldImpact",
+           "WorldNear", "WorldNearPair", "WorldPlan"]
 
 
 class Feature(NamedTuple):
@@ -310,6 +311,14 @@ class Combined(NamedTuple):
     sources: Any  # int32, shape (n, 2): of each face, which mesh and which face of it it is a piece of
 
 
+class IntersectionCurve(NamedTuple):
+    """A polyline where two surfaces meet, or a point where they touch."""
+
+    points: Any  # float64, shape (n, 3), rounded once; where exact: a list of tuples of three Fraction
+    closed: bool  # then the first point is not told again
+    faces: Any  # int32, shape (k, 2): a face of a and one of b for each edge; of one point, for that
+
+
 class Contour(NamedTuple):
     """A contour of a section of a mesh by a plane, or a chain where the mesh is open."""
 
@@ -346,6 +355,51 @@ class WorldContact(NamedTuple):
     part_a: Tuple[int, int]  # the part of a compound and the triangle of a mesh, 0 where there is one alone
     part_b: Tuple[int, int]
     contact: Contact
+
+
+class WorldCorner(NamedTuple):
+    """A corner of a contact by its name, which stays the same from frame to frame."""
+
+    a: int
+    b: int
+    part_a: Tuple[int, int]
+    part_b: Tuple[int, int]
+    id: Tuple[Feature, Feature]
+
+
+class WorldCornerEvents(NamedTuple):
+    """Corners of contacts that have begun and have ended."""
+
+    begun: List[WorldCorner]
+    ended: List[WorldCorner]
+
+
+class BodyPlan(NamedTuple):
+    """Which proxy pays for a body of a world, and what it saves."""
+
+    body: int
+    proxy: str  # "none", "sphere", "box" or "hull"
+    pairs: int  # it is in
+    told_apart: int  # of these, by the proxies
+    saved: int  # questions
+
+
+class WorldPlan(NamedTuple):
+    """Which proxies a world should have, and how many questions a commit asks without and with them."""
+
+    bodies: List[BodyPlan]  # those that are no single figure and are in a pair of several questions
+    questions_without: int
+    questions_with: int
+    index: Optional[str]  # the broad phase that is expected to be the fastest; None of an empty world
+
+
+class WorldCastSpan(NamedTuple):
+    """A body that a turning figure does not meet before a span of time, and may meet in it."""
+
+    body: int
+    begin: float
+    end: float
+    is_certain: bool  # that it does
 
 
 class WorldContactSpan(NamedTuple):
