@@ -146,13 +146,16 @@ RoundedMesh rounded_from(const ExactMesh& mesh, std::uint32_t first, std::uint32
 }  // namespace
 
 RoundedMesh round(const ExactMesh& mesh, const RoundingOptions& options) {
-  RoundedMesh made = rounded_from(mesh, 0, options.rounds);
-  std::uint32_t rounds = made.rounds;
-  // What is thinner than a grid is gone on one that is much coarser.
-  for (std::uint32_t first = 8; !made.sound && first <= 24 && rounds < options.rounds; first += 8) {
-    RoundedMesh again = rounded_from(mesh, first, options.rounds - rounds);
+  // What is thinner than a grid is gone on one that is much coarser: an eighth of the rounds is kept for each of those.
+  constexpr std::array<std::uint32_t, 4> firsts{0, 8, 16, 24};
+  const std::uint32_t kept = options.rounds / 8;
+  RoundedMesh made;
+  std::uint32_t rounds = 0;
+  for (std::uint32_t k = 0; k < firsts.size() && !made.sound && (k == 0 || rounds < options.rounds); ++k) {
+    const std::uint32_t for_others = kept * static_cast<std::uint32_t>(firsts.size() - 1 - k);
+    RoundedMesh again = rounded_from(mesh, firsts[k], options.rounds - rounds - for_others);
     rounds += again.rounds;
-    if (again.sound) made = std::move(again);
+    if (k == 0 || again.sound) made = std::move(again);
   }
   made.rounds = rounds;
   put_in_order(made);

@@ -89,5 +89,41 @@ TEST(Round, OneUlpApart) {
   EXPECT_EQ(sound, all);
 }
 
+TriangleMesh tetrahedron_mesh(const std::array<double, 12>& q) {
+  TriangleMesh mesh;
+  for (std::size_t i = 0; i < 12; i += 3) mesh.vertices.push_back({q[i], q[i + 1], q[i + 2]});
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  return mesh;
+}
+
+void expect_all_sound(const std::array<double, 12>& a, const std::array<double, 12>& b) {
+  const TriangleMesh first = tetrahedron_mesh(a), second = tetrahedron_mesh(b);
+  for (const ExactMesh& made : {unite(first, second), intersect(first, second), subtract(first, second)}) {
+    const RoundedMesh r = round(made);
+    expect_sound(r);
+    EXPECT_TRUE(r.sound);
+  }
+}
+
+TEST(Round, TetrahedraAnUlpAside) {
+  // Finer grids are left in time for the coarse one on which this is sound.
+  constexpr double up = 0x1.3333333333334p-1, tiny = -0x0.0000000000001p-1022;
+  expect_all_sound({0, 0.2, 0.4, -0.1, -0.6, 0.8, -0.5, 0.6, -0.3, -0.8, 0, -0.3},
+                   {0, std::nextafter(0.2, 0), std::nextafter(0.4, 1), std::nextafter(-0.1, 0), std::nextafter(-0.6, 0),
+                    0.8, std::nextafter(-0.5, -1), up, -0.3, std::nextafter(-0.8, 0), tiny, std::nextafter(-0.3, 0)});
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    std::array<double, 12> a{}, b{};
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      a[i] = static_cast<double>(random() % 19) / 10 - 0.9;
+      const std::uint64_t ulp = random() % 3;
+      b[i] = ulp == 0 ? a[i] : std::nextafter(a[i], ulp == 1 ? -2 : 2);
+    }
+    const std::vector<Point3> corners = tetrahedron_mesh(a).vertices;
+    if (orient3d(corners[0], corners[1], corners[2], corners[3]) == Sign::negative) expect_all_sound(a, b);
+  }
+}
+
 }  // namespace
 }  // namespace plumb

@@ -6,9 +6,9 @@
 // Each coordinate becomes its nearest double.  Vertices that become equal are one, triangles that lose their corners or
 // cancel one another go.  Where triangles lose their area, cross, touch or turn over, the rounded mesh is resolved
 // exactly (surface/solid/boolean.hpp, by the rule `positive`) and rounded again, there to a grid that is twice as coarse
-// in each round, up to so many rounds, or until more pairs of triangles meet than the exact mesh has triangles.  Where
-// rounds are left then, all of the exact mesh is rounded anew, to grids that are 2^8, 2^16 and 2^24 times as coarse as
-// doubles are at its largest coordinate, and what comes of it is treated alike.
+// in each round, up to so many rounds, or until more pairs of triangles meet than the exact mesh has triangles.  Then all of
+// the exact mesh is rounded anew, to grids that are 2^8, 2^16 and 2^24 times as coarse as doubles are at its largest
+// coordinate, and what comes of it is treated alike: for each of those an eighth of the rounds is kept.
 // Laws: (1) where `sound` is true every edge has as many triangles one way as the other, none is without area, no two
 // have anything in common but vertices and edges that both name, and the mesh winds once around each point of a solid
 // and not around others: all decided exactly, of the mesh as it is told.  (2) No point of the mesh is farther than
