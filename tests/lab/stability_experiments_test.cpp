@@ -129,9 +129,21 @@ TEST(Welding, LosesVerticesAndHangsOnTheOrder) {
   EXPECT_GT(found.in("pairs", "sorted", 1), 0U) << "floats lose vertices that are ulps too far";
 }
 
+TEST(Booleans, ComeOpenAndOfAnotherVolumeFromTreesOfPlanesInFloats) {
+  const Found found = found_by(boolean_experiment());
+  for (const char* method : {"float32", "double", "absolute", "relative", "long-double"}) {
+    EXPECT_GT(found.in("scattered", method, 0), 0U) << method << ": an edge is cut on one side of it alone";
+    EXPECT_EQ(found.in("chains", method, 2), 0U) << method << ": integers are right in each kind of numbers";
+  }
+  EXPECT_GT(found.in("scattered", "double", 2), 0U) << "a face is cut by its own plane";
+  EXPECT_EQ(found.in("on-a-lattice", "absolute", 2), 0U);
+  EXPECT_GT(found.in("small", "absolute", 2), 0U) << "an epsilon takes all for one plane";
+  EXPECT_GT(found.in("off-by-ulps", "double", 2), 0U);
+}
+
 TEST(Experiments, AreExactForOtherInputsAsWellAndRepeatable) {
   for (const Experiment& e : {hull_experiment(), space_hull_experiment(), segment_experiment(), sweep_experiment(),
-                              triangulation_experiment(), welding_experiment()}) {
+                              triangulation_experiment(), welding_experiment(), boolean_experiment()}) {
     const auto other = found_by(e, 7).failures;
     EXPECT_EQ(other, found_by(e, 7).failures);
     EXPECT_NE(other, found_by(e).failures);

@@ -40,7 +40,7 @@ std::vector<SceneReport> run_all(const std::vector<Experiment>& experiments, con
       scenes.push_back(std::move(s));
     }
   }
-  Progress progress("stability", scenes.size());
+  tool::Progress progress("stability", scenes.size());
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     reports[i].findings = scenes[i].run();
     progress.advance();

@@ -82,5 +82,6 @@ Experiment neighbor_experiment();
 Experiment walk_experiment();
 Experiment triangulation_experiment();
 Experiment welding_experiment();
+Experiment boolean_experiment();
 
 }  // namespace plumb::lab::stability

@@ -7,7 +7,7 @@ std::vector<Experiment> all_experiments() {
           sweep_experiment(),  location_experiment(),      leak_experiment(),       box_experiment(),
           convex_experiment(), move_experiment(),          pose_experiment(),       distance_experiment(),
           ball_experiment(),   motion_experiment(),        touch_experiment(),      neighbor_experiment(),
-          walk_experiment(),   triangulation_experiment(), welding_experiment()};
+          walk_experiment(),   triangulation_experiment(), welding_experiment(),    boolean_experiment()};
 }
 
 }  // namespace plumb::lab::stability
