@@ -15,44 +15,43 @@
 namespace plumb {
 namespace {
 
-using surface::FacePool, surface::FacetList, surface::PointTable, surface::SideSets;
+using surface::FacePool, surface::FacetList, surface::NumberedPoints, surface::PointTable, surface::SideSets;
 
 /// The points that facets name, in lexicographic order; `rank` gets the number of each.  Those as given are in order.
-std::vector<ExactPoint3> ranked_vertices(const FacetList& list, const PointTable& table,
-                                         std::vector<std::uint32_t>& rank) {
+std::vector<ExactPoint3> ranked_vertices(const FacetList& list, PointTable&& table, std::vector<std::uint32_t>& rank) {
   std::vector<std::uint8_t> is_used(table.size());
   for (const auto& corners : list.facets)
     for (const std::uint32_t v : corners) is_used[v] = 1;
   struct Constructed {
-    ExactPoint3 at;
     std::uint32_t number, given_before;
   };
+  const NumberedPoints points = table.points();
   std::vector<Constructed> constructed;
   std::size_t count = 0;
   for (std::uint32_t v = 0; v < is_used.size(); ++v) {
     count += is_used[v];
     if (is_used[v] == 0 || table.is_given(v)) continue;
-    ExactPoint3 at = table.point(v);
-    const std::uint32_t before = table.given_before(at);
-    constructed.push_back({std::move(at), v, before});
+    constructed.push_back({v, table.given_before(points.at(v))});
   }
-  std::ranges::sort(constructed, [](const Constructed& l, const Constructed& r) {
+  std::ranges::sort(constructed, [&](const Constructed& l, const Constructed& r) {
     return l.given_before != r.given_before ? l.given_before < r.given_before
-                                            : compare_xyz(l.at, r.at) == Sign::negative;
+                                            : points.order(l.number, r.number) == Sign::negative;
   });
+  const std::size_t given = points.given.size();
+  std::vector<ExactPoint3> made = std::move(table).take_made();
   std::vector<ExactPoint3> vertices;
   vertices.reserve(count);
-  rank.assign(table.size(), 0);
+  rank.assign(is_used.size(), 0);
   auto next = constructed.begin();
   for (std::uint32_t v = 0;; ++v) {
     for (; next != constructed.end() && next->given_before == v; ++next) {
       rank[next->number] = static_cast<std::uint32_t>(vertices.size());
-      vertices.push_back(std::move(next->at));
+      vertices.push_back(std::move(made[next->number - given]));
     }
-    if (v == is_used.size() || !table.is_given(v)) return vertices;
+    if (v == given) return vertices;
     if (is_used[v] == 0) continue;
     rank[v] = static_cast<std::uint32_t>(vertices.size());
-    vertices.emplace_back(table.given(v));
+    vertices.emplace_back(points.given[v]);
   }
 }
 
@@ -76,7 +75,7 @@ Arrangement surface::arranged(FacePool pool, Pieces pieces) {
   made.meshes = pool.meshes;
   const std::vector<std::int32_t> windings = surface::windings_of_sets(pool, bvh, list, table, sets);
   std::vector<std::uint32_t> rank;
-  made.vertices = ranked_vertices(list, table, rank);
+  made.vertices = ranked_vertices(list, std::move(table), rank);
   std::vector<std::pair<TriangleMesh::Triangle, std::uint32_t>> facets;
   facets.reserve(list.facets.size());
   for (std::uint32_t f = 0; f < list.facets.size(); ++f) {

@@ -1,9 +1,9 @@
 #include "plumb/surface/solid/boolean.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "plumb/arith/error.hpp"
 #include "surface/solid/arranged.hpp"
@@ -11,8 +11,6 @@
 
 namespace plumb {
 namespace {
-
-using surface::FacePool;
 
 bool is_in(std::int32_t winding, WindingRule rule) {
   switch (rule) {
@@ -31,9 +29,6 @@ SourceFace source_of(std::span<const FacetSource> sources, bool opposite) {
   return (at == sources.end() ? sources.front() : *at).face;
 }
 
-FacePool pool_of(std::span<const TriangleMesh> meshes) { return surface::pool_faces(meshes); }
-FacePool pool_of(std::span<const ExactMesh* const> meshes) { return surface::pool_faces(meshes); }
-
 /// An operation keeps a point by how many solids it is in, of so many, and whether it is in the first.
 enum class Operation : unsigned char { unite, intersect, subtract, symmetric_difference };
 
@@ -50,36 +45,11 @@ bool is_kept_by(Operation operation, std::size_t inside, std::size_t count, bool
   }
 }
 
-template <class Mesh>
-ExactMesh combined(Operation operation, std::span<Mesh> meshes, WindingRule rule, Pieces pieces) {
-  const ExactMesh made =
-      solid_where(surface::arranged(pool_of(meshes), pieces), [&](std::span<const std::int32_t> windings) {
-        std::size_t inside = 0;
-        for (const std::int32_t w : windings) inside += is_in(w, rule) ? 1 : 0;
-        return is_kept_by(operation, inside, windings.size(), !windings.empty() && is_in(windings[0], rule));
-      });
-  return pieces == Pieces::of_polygons ? merge_pieces(made) : made;
-}
-ExactMesh combined(Operation operation, const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
-  const std::array both{a, b};
-  return combined(operation, std::span<const TriangleMesh>(both), rule, pieces);
-}
-ExactMesh combined(Operation operation, const ExactMesh& a, const ExactMesh& b, WindingRule rule, Pieces pieces) {
-  const std::array both{&a, &b};
-  return combined(operation, std::span<const ExactMesh* const>(both), rule, pieces);
-}
-ExactMesh combined(Operation operation, std::span<const ExactMesh> meshes, WindingRule rule, Pieces pieces) {
-  const auto all = surface::each_of(meshes);
-  return combined(operation, std::span<const ExactMesh* const>(all), rule, pieces);
-}
+using KeptFacets = std::vector<std::pair<TriangleMesh::Triangle, SourceFace>>;
 
-}  // namespace
-
-ExactMesh solid_of(const Arrangement& arrangement, std::span<const std::uint8_t> is_solid) {
-  if (is_solid.size() != arrangement.regions())
-    throw UnequalLengths("solid_of: " + std::to_string(is_solid.size()) + " numbers are given, and there are " +
-                         std::to_string(arrangement.regions()) + " regions; give one for each");
-  std::vector<std::pair<TriangleMesh::Triangle, SourceFace>> kept;
+/// Facets with different answers on their sides, turned outward.
+KeptFacets kept_facets(const Arrangement& arrangement, std::span<const std::uint8_t> is_solid) {
+  KeptFacets kept;
   for (std::size_t f = 0; f < arrangement.facets.size(); ++f) {
     const auto& [above, below] = arrangement.sides[f];
     if ((is_solid[above] != 0) == (is_solid[below] != 0)) continue;
@@ -88,66 +58,59 @@ ExactMesh solid_of(const Arrangement& arrangement, std::span<const std::uint8_t>
     if (turned) std::swap(corners[1], corners[2]);
     kept.emplace_back(corners, source_of(arrangement.sources_of(f), turned));
   }
-  return surface::mesh_in_order(arrangement.vertices, std::move(kept));
+  return kept;
+}
+
+template <class Mesh>
+ExactMesh combined(Operation operation, const std::vector<const Mesh*>& meshes, WindingRule rule, Pieces pieces) {
+  Arrangement all = surface::arranged(surface::pool_faces(meshes), pieces);
+  std::vector<std::uint8_t> is_solid(all.regions());
+  for (std::size_t r = 0; r < is_solid.size(); ++r) {
+    const auto windings = all.windings_of(r);
+    const auto inside =
+        static_cast<std::size_t>(std::ranges::count_if(windings, [&](std::int32_t w) { return is_in(w, rule); }));
+    is_solid[r] = is_kept_by(operation, inside, windings.size(), !windings.empty() && is_in(windings[0], rule)) ? 1 : 0;
+  }
+  KeptFacets kept = kept_facets(all, is_solid);
+  ExactMesh made = surface::mesh_in_order(std::move(all.vertices), std::move(kept));
+  if (pieces == Pieces::of_polygons) return merge_pieces(made);
+  return made;
+}
+
+}  // namespace
+
+ExactMesh solid_of(const Arrangement& arrangement, std::span<const std::uint8_t> is_solid) {
+  if (is_solid.size() != arrangement.regions())
+    throw UnequalLengths("solid_of: " + std::to_string(is_solid.size()) + " numbers are given, and there are " +
+                         std::to_string(arrangement.regions()) + " regions; give one for each");
+  return surface::mesh_in_order(arrangement.vertices, kept_facets(arrangement, is_solid));
 }
 
 ExactMesh resolve(const TriangleMesh& mesh, WindingRule rule, Pieces pieces) {
-  return unite(std::span(&mesh, 1), rule, pieces);
+  return combined(Operation::unite, std::vector{&mesh}, rule, pieces);
 }
 ExactMesh resolve(const ExactMesh& mesh, WindingRule rule, Pieces pieces) {
-  return unite(std::span(&mesh, 1), rule, pieces);
+  return combined(Operation::unite, std::vector{&mesh}, rule, pieces);
 }
 
-ExactMesh unite(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::unite, meshes, rule, pieces);
-}
-ExactMesh unite(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::unite, a, b, rule, pieces);
-}
-ExactMesh unite(std::span<const ExactMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::unite, meshes, rule, pieces);
-}
-ExactMesh unite(const ExactMesh& a, const ExactMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::unite, a, b, rule, pieces);
-}
+// Each operation takes two meshes or many, as they are given or exact.
+#define PLUMB_OPERATION_OF(Mesh, operation)                                            \
+  ExactMesh operation(std::span<const Mesh> meshes, WindingRule rule, Pieces pieces) { \
+    return combined(Operation::operation, surface::each_of(meshes), rule, pieces);     \
+  }                                                                                    \
+  ExactMesh operation(const Mesh& a, const Mesh& b, WindingRule rule, Pieces pieces) { \
+    return combined(Operation::operation, std::vector{&a, &b}, rule, pieces);          \
+  }
+#define PLUMB_SOLID_OPERATION(operation)      \
+  PLUMB_OPERATION_OF(TriangleMesh, operation) \
+  PLUMB_OPERATION_OF(ExactMesh, operation)
 
-ExactMesh intersect(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::intersect, meshes, rule, pieces);
-}
-ExactMesh intersect(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::intersect, a, b, rule, pieces);
-}
-ExactMesh intersect(std::span<const ExactMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::intersect, meshes, rule, pieces);
-}
-ExactMesh intersect(const ExactMesh& a, const ExactMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::intersect, a, b, rule, pieces);
-}
+PLUMB_SOLID_OPERATION(unite)
+PLUMB_SOLID_OPERATION(intersect)
+PLUMB_SOLID_OPERATION(subtract)
+PLUMB_SOLID_OPERATION(symmetric_difference)
 
-ExactMesh subtract(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::subtract, meshes, rule, pieces);
-}
-ExactMesh subtract(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::subtract, a, b, rule, pieces);
-}
-ExactMesh subtract(std::span<const ExactMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::subtract, meshes, rule, pieces);
-}
-ExactMesh subtract(const ExactMesh& a, const ExactMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::subtract, a, b, rule, pieces);
-}
-
-ExactMesh symmetric_difference(std::span<const TriangleMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::symmetric_difference, meshes, rule, pieces);
-}
-ExactMesh symmetric_difference(const TriangleMesh& a, const TriangleMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::symmetric_difference, a, b, rule, pieces);
-}
-ExactMesh symmetric_difference(std::span<const ExactMesh> meshes, WindingRule rule, Pieces pieces) {
-  return combined(Operation::symmetric_difference, meshes, rule, pieces);
-}
-ExactMesh symmetric_difference(const ExactMesh& a, const ExactMesh& b, WindingRule rule, Pieces pieces) {
-  return combined(Operation::symmetric_difference, a, b, rule, pieces);
-}
+#undef PLUMB_SOLID_OPERATION
+#undef PLUMB_OPERATION_OF
 
 }  // namespace plumb

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "surface/solid/plane_view.hpp"
@@ -27,6 +28,8 @@ class SeenPoints {
   [[nodiscard]] std::size_t size() const { return seen_.size(); }
   [[nodiscard]] std::uint32_t number_in_table(std::uint32_t i) const { return numbers_[i]; }
   [[nodiscard]] const ExactPoint2& seen(std::uint32_t i) const { return seen_[i]; }
+  /// Gives the point away, after which nothing is seen of it.
+  ExactPoint2 take_seen(std::uint32_t i) { return std::move(seen_[i]); }
   [[nodiscard]] HeldPoint point(std::uint32_t i) const { return table_.points().at(numbers_[i]); }
 
  private:

@@ -52,7 +52,7 @@ ExactMesh ordered_mesh(std::vector<ExactPoint3> vertices,
   }
   for (auto& [corners, source] : triangles)
     for (std::uint32_t& v : corners) v = number[v];
-  return surface::mesh_in_order(sorted, std::move(triangles));
+  return surface::mesh_in_order(std::move(sorted), std::move(triangles));
 }
 
 void require_finite_vertex(const ExactPoint3& p, std::size_t vertex) {

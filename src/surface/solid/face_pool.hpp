@@ -42,7 +42,7 @@ struct FacePool {
 FacePool pool_faces(std::span<const TriangleMesh> meshes);
 FacePool pool_faces(std::span<const ExactMesh* const> meshes);
 /// The last meshes, so many, are sheets.
-FacePool pool_faces(std::span<const TriangleMesh* const> meshes, std::uint32_t sheets);
+FacePool pool_faces(std::span<const TriangleMesh* const> meshes, std::uint32_t sheets = 0);
 /// The same of pieces of surfaces, which need not be closed.
 FacePool pool_open_faces(std::span<const TriangleMesh> meshes);
 

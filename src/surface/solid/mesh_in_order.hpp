@@ -16,5 +16,8 @@ namespace plumb::surface {
 /// The vertices ascend.
 ExactMesh mesh_in_order(std::span<const ExactPoint3> vertices,
                         std::vector<std::pair<TriangleMesh::Triangle, SourceFace>> triangles);
+/// The same for vertices that nobody needs after it: none is copied.
+ExactMesh mesh_in_order(std::vector<ExactPoint3>&& vertices,
+                        std::vector<std::pair<TriangleMesh::Triangle, SourceFace>> triangles);
 
 }  // namespace plumb::surface

@@ -82,9 +82,10 @@ class PlaneDivider {
       return compare_xy(points_.seen(l), points_.seen(r)) == Sign::negative;
     });
     rank_.resize(points_.size());
+    ranked_.reserve(points_.size());
     for (std::uint32_t r = 0; r < of_rank_.size(); ++r) {
       rank_[of_rank_[r]] = r;
-      ranked_.push_back(points_.seen(of_rank_[r]));
+      ranked_.push_back(points_.take_seen(of_rank_[r]));
     }
   }
 

@@ -9,7 +9,7 @@
 
 namespace plumb::surface {
 
-ExactPoint3 in_plain_form(const ExactPoint3& p) {
+ExactPoint3 in_plain_form(ExactPoint3 p) {
   if (const auto* given = std::get_if<Point3>(&p.as())) return Point3{given->x + 0.0, given->y + 0.0, given->z + 0.0};
   const Point3 nearest = approximate(p);
   if (std::holds_alternative<RationalPoint3>(p.as())) {  // of which it is known now which coordinates are doubles
@@ -29,8 +29,7 @@ ExactPoint3 in_plain_form(const ExactPoint3& p) {
 
 PointTable::PointTable(const NumberedPoints& points)
     : given_(points.given), made_(points.held.begin(), points.held.end()) {
-  for (std::uint32_t i = 0; i < made_.size(); ++i)
-    number_.emplace(made_[i], static_cast<std::uint32_t>(given_.size()) + i);
+  for (std::uint32_t i = 0; i < made_.size(); ++i) places_.insert(i);
 }
 
 std::uint32_t PointTable::given_number(const Point3& p) const {
@@ -46,16 +45,33 @@ std::uint32_t PointTable::given_before(const ExactPoint3& point) const {
   return static_cast<std::uint32_t>(at - given_.begin());
 }
 
-std::uint32_t PointTable::number_of(const ExactPoint3& point) {
+std::uint32_t PointTable::number_of(ExactPoint3 point) {
+  const auto* construction = std::get_if<LinePlanePoint3>(&point.as());
+  if (construction == nullptr) return number_of_place(std::move(point));
+  const auto [at, is_new] = constructions_.try_emplace(*construction, none);
+  if (is_new) at->second = number_of_place(std::move(point));
+  return at->second;
+}
+
+std::uint32_t PointTable::number_of_place(ExactPoint3 point) {
   if (const auto* p = std::get_if<Point3>(&point.as()))
     if (const std::uint32_t number = given_number(*p); number != none) return number;
-  const auto [at, is_new] = number_.try_emplace(point, static_cast<std::uint32_t>(size()));
-  if (!is_new) return at->second;
-  const ExactPoint3 plain = in_plain_form(point);
+  const auto number_of_made = [this](std::uint32_t place) { return static_cast<std::uint32_t>(given_.size()) + place; };
+  if (const auto at = places_.find(point); at != places_.end()) return number_of_made(*at);
+  ExactPoint3 plain = in_plain_form(std::move(point));
   if (const auto* p = std::get_if<Point3>(&plain.as()))
-    if (const std::uint32_t number = given_number(*p); number != none) return at->second = number;
-  made_.push_back(plain);
-  return at->second;
+    if (const std::uint32_t number = given_number(*p); number != none) return number;
+  const auto place = static_cast<std::uint32_t>(made_.size());
+  made_.push_back(std::move(plain));
+  places_.insert(place);
+  return number_of_made(place);
+}
+
+std::size_t PointTable::HashOfConstruction::operator()(const LinePlanePoint3& p) const {
+  std::size_t hash = 0;
+  for (const Point3* at : {&p.p, &p.q, &p.a, &p.b, &p.c})
+    for (const double x : {at->x, at->y, at->z}) hash = (hash ^ std::hash<double>{}(x)) * 0x9e3779b97f4a7c15U;
+  return hash ^ hash >> 32;
 }
 
 }  // namespace plumb::surface

@@ -69,7 +69,7 @@ TEST(PlanePieces, AreCoveredByTheFacesAroundTheirMiddles) {
       const PlaneView view(pool.points(), pool.mesh.triangles[of.faces.front()]);
       for (const PlanePiece& piece : surface::divide_plane(pool, table, of, view)) {
         std::array<RationalPoint3, 3> t;
-        for (std::size_t k = 0; k < 3; ++k) t[k] = rational_point(table.point(piece.corners[k]));
+        for (std::size_t k = 0; k < 3; ++k) t[k] = rational_point(table.points().at(piece.corners[k]));
         const Rational third(1, 3);
         const RationalPoint3 middle{(t[0].x + t[1].x + t[2].x) * third, (t[0].y + t[1].y + t[2].y) * third, 0};
         std::vector<std::uint32_t> told, by_definition;
