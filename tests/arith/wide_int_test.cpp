@@ -3,8 +3,10 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <type_traits>
 
+#include "arith/two_word_integer.hpp"
 #include "plumb/degenerate.hpp"
 
 namespace plumb {
@@ -144,6 +146,30 @@ TYPED_TEST(WideIntTest, TakesBuiltInIntegers) {
       ASSERT_TRUE((WideInt<bits>{x}.low128() == x));
     }
   }
+}
+
+TEST(TwoWordInteger, IsExactUntilItIsLost) {
+  int lost = 0, kept = 0;
+  for (std::uint64_t i = 0; i < 5000; ++i) {
+    Entropy e(4, i);
+    const auto any = [&] { return static_cast<double>(e.within(std::int64_t{1} << (1 + e.below(50)))); };
+    const double a = any(), b = e.below(4) == 0 ? a : any(), c = any(), d = any();
+    const TwoWordInteger x(a), y(c), w(d), z = TwoWordInteger::difference(a, b), one(1.0);
+    const mpz_class p(a), q(c), r(d), s = p - mpz_class(b);
+    const auto expect = [&](const TwoWordInteger& told, const mpz_class& exact, std::size_t most) {
+      const Unsure<Sign> sign = told.sign();
+      (sign.certain() ? kept : lost) += 1;
+      if (sign.certain()) EXPECT_EQ(static_cast<int>(sign.value()), sgn(exact)) << i;
+      EXPECT_TRUE(sign.certain() || most > 127) << i;
+      EXPECT_FALSE((told * one).sign().certain() && !sign.certain()) << i;
+    };
+    const auto bits = [](const mpz_class& m) { return m == 0 ? 0 : mpz_sizeinbase(m.get_mpz_t(), 2); };
+    expect(x * y - z * w, p * q - s * r, 1 + std::max(bits(p) + bits(q), bits(s) + bits(r)));
+    expect(x * y * w + z, p * q * r + s, 1 + std::max(bits(p) + bits(q) + bits(r), bits(s)));
+    expect((x - y) * (x + y) * z, (p - q) * (p + q) * s, 2 * (1 + std::max(bits(p), bits(q))) + bits(s));
+  }
+  EXPECT_GT(lost, 500);
+  EXPECT_GT(kept, 5000);
 }
 
 constexpr WideInt<61> seven{std::int64_t{7}}, minus_three{std::int64_t{-3}};

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "arith/two_word_integer.hpp"
 #include "certify/carried_errors.hpp"
 #include "plumb/arith/rational.hpp"
 #include "plumb/query/ray/ray.hpp"
@@ -41,6 +42,10 @@ struct Carrying<StackDyadic, query::RaySigns> : query::RaySigns {
   Carrying() { StackDyadic::clear_range(); }
   [[nodiscard]] bool certain() const { return RaySigns::certain() && !StackDyadic::left_range(); }
 };
+template <>
+struct Carrying<TwoWordInteger, query::RaySigns> : query::RaySigns {
+  static constexpr WorldKind kind = WorldKind::integers;
+};
 
 }  // namespace plumb
 
@@ -49,8 +54,8 @@ namespace plumb::query {
 template <class T>
 using RayWorld = Carrying<T, RaySigns>;
 using RayWorlds = CarriedErrors<RaySigns>;
-/// For what doubles have left in doubt.
-using RayIntegers = Worlds<RayWorld<StackDyadic>, RayWorld<BigDyadic>>;
+/// For what is given in integers.
+using RayIntegers = Worlds<RayWorld<TwoWordInteger>, RayWorld<StackDyadic>, RayWorld<BigDyadic>>;
 /// For questions that are often degenerate: integers on the stack before those of GMP.
 using RayWorldsByStack = Worlds<RayWorld<Approximate>, RayWorld<Ball>, RayWorld<StackDyadic>, RayWorld<BigDyadic>>;
 

@@ -1,9 +1,12 @@
 // Triangles, by both rules.
+#include <cmath>
+
 #include "plumb/certify/ray_order.hpp"
 #include "plumb/query/ray/hits.hpp"
 #include "query/overlap/filters.hpp"
 #include "query/ray/half_open.hpp"
 #include "query/ray/triangle_hit.hpp"
+#include "query/ray/whole_shot.hpp"
 
 namespace plumb {
 namespace query {
@@ -82,6 +85,8 @@ bool is_surely_beside(const AnyRay& ray, const Triangle3& triangle) {
   return false;
 }
 
+Interval range_around(const Approximate& x) { return Interval{x.value} + Interval{-x.reach(), x.reach()}; }
+
 bool are_crossed(const Decided& d) { return d.when.at == When::At::quotient && meeting_of(d.when) == Meeting::plane; }
 
 /// Are both hit at one corner, or inside of one edge?  Along an edge that is where the ray begins.
@@ -111,7 +116,11 @@ bool hits_half_open(const Line3& line, const Triangle3& triangle) { return hits_
 
 std::optional<Decided> decide_hit(const AnyRay& ray, const Triangle3& triangle, HitRule rule) {
   if (is_surely_beside(ray, triangle)) return {};
-  return answer_by<Decided, RayIntegers>(rule, ray, TriangleModel(triangle));
+  if (const auto whole = whole_shot(ray, triangle))
+    return answer_by<Decided, RayIntegers>(rule, whole->ray, TriangleModel(whole->triangle));
+  // A ray nearly in the plane of many triangles misses most of them, which signs by themselves tell for less.
+  if (!hits(ray, triangle, rule)) return {};
+  return answer_by<Decided, RayWorldsByStack>(rule, ray, TriangleModel(triangle));
 }
 std::optional<Decided> decide_crossing(const AnyRay& ray, const Triangle3& triangle) {
   const Corners corners = corners_of(triangle);
@@ -125,9 +134,15 @@ std::optional<Decided> decide_crossing(const AnyRay& ray, const Triangle3& trian
 ParameterRange range_of(const AnyRay& ray, const Triangle3& triangle, const Decided& decided) {
   if (decided.when.at == When::At::zero) return {0, 0};
   const TriangleModel model(triangle);
+  RaySigns ask;
+  const Time<Approximate> t = time_of<Approximate>(ShotLine<Approximate>(ray), model, decided.when, ask);
+  if (ask.certain() && t.denominator.certain_sign() != 0) {
+    const Interval around = quotient(range_around(t.numerator), range_around(t.denominator));
+    if (around.lower > -Ball::infinity && around.upper < Ball::infinity) return {around.lower, around.upper};
+  }
   if (const auto range = QuickNumbers(ray, model, decided).range()) return {range->lower, range->upper};
-  const double t = parameter_of(ray, model, decided).base.rounded();
-  return {Ball::next(t, -1), Ball::next(t, 1)};
+  const double nearest = parameter_of(ray, model, decided).base.rounded();
+  return {std::nextafter(nearest, -Ball::infinity), std::nextafter(nearest, Ball::infinity)};
 }
 
 Hit hit_of(const AnyRay& ray, const Triangle3& triangle, const Decided& decided) {

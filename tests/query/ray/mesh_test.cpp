@@ -15,6 +15,7 @@
 #include "plumb/surface/file/read_mesh.hpp"
 #include "query/ray/cases.hpp"
 #include "query/ray/oracle.hpp"
+#include "query/ray/triangle_hit.hpp"
 
 namespace plumb {
 namespace {
@@ -107,6 +108,41 @@ TEST(HalfOpen, OfTwoTrianglesWithACommonEdgeExactlyOneIsHit) {
   }
   EXPECT_GT(between, 500);
   EXPECT_GT(beside, 500);
+}
+
+/// Whole numbers times powers of two, of few digits and of many, from a small grid: what integers of the least width
+/// decide is what is decided without them.
+TEST(DecidedHit, IsThatOfNumbersOfAllSizes) {
+  long hit = 0, missed = 0;
+  for (std::uint64_t i = 0; i < 3000 * shape_cases::more; ++i) {
+    Entropy e(603, i);
+    const auto any_unit = [&] {
+      const auto odd = static_cast<double>(2 * e.below(std::uint64_t{1} << e.below(48)) + 1);
+      return std::ldexp(odd, e.coin() ? 0 : static_cast<int>(e.within(900)));
+    };
+    const double unit = any_unit(), way_unit = any_unit();
+    const auto point = [&] {
+      const Point3 p = grid_point(e, 2);
+      return Point3{unit * p.x, unit * p.y, unit * p.z};
+    };
+    const Triangle3 t{point(), point(), point()};
+    const Point3 a = point(), b = point(), way = grid_point(e, 2);
+    const Vector3 d{way_unit * way.x, way_unit * way.y, way_unit * way.z};
+    const std::uint64_t kind = e.below(3);
+    const AnyRay ray = kind == 0 ? AnyRay(Ray3{a, d}) : kind == 1 ? AnyRay(Segment3{a, b}) : AnyRay(Line3{a, d});
+    for (const HitRule rule : {HitRule::closed, HitRule::half_open}) {
+      const auto decided = query::decide_hit(ray, t, rule);
+      ASSERT_EQ(decided.has_value(), hits_any(ray, t, rule)) << "index " << i;
+      (decided ? hit : missed) += 1;
+      if (!decided) continue;
+      const auto numbers = first_hit(ray, t, rule);
+      ASSERT_TRUE(numbers && query::hit_of(ray, t, *decided) == *numbers) << "index " << i;
+      const auto [least, most] = query::range_of(ray, t, *decided);
+      EXPECT_TRUE(least <= numbers->t && numbers->t <= most) << "index " << i;
+    }
+  }
+  EXPECT_GT(hit, 500);
+  EXPECT_GT(missed, 1000);
 }
 
 TriangleMesh hull_mesh(std::span<const Point3> points) {
