@@ -90,7 +90,7 @@ inline const CostRow rows_of_figures[]{
      [](const Cloud& c) {
        (void)relate(Polygon3{{c.a[0], c.a[1], c.a[2]}}, Polygon3{{c.b[0], c.b[1], c.b[2]}});
      }},
-    {"relate, posed boxes", "query/overlap/posed.hpp", quadratic, 80,
+    {"relate, posed boxes", "query/overlap/posed.hpp", quadratic, 100,
      [](const Cloud& c) {
        (void)relate(Posed{box(c.a), pose(c.b)}, Posed{box(c.b), pose(c.a)});
      }},
@@ -223,7 +223,7 @@ inline const CostRow rows_of_figures[]{
        (void)maximize(objective, linear_system(halfspaces(c.a)));
      }},
     {"solve_by_elimination", "query/lp/elimination.hpp", quartic, 100,
-     [](const Cloud& c) { (void)solve_by_elimination(linear_system(halfspaces(c.a))); }, 18},
+     [](const Cloud& c) { (void)solve_by_elimination(linear_system(halfspaces(c.a))); }, 18, 4, 12},
     {"nearest_feasible", "query/lp/nearest_feasible.hpp", linear, 100,
      [](const Cloud& c) { (void)nearest_feasible(c.b[0], halfspaces(c.a)); }},
     {"greatest_margin", "query/lp/greatest_margin.hpp", quadratic, 50,
@@ -243,7 +243,7 @@ inline const CostRow rows_of_figures[]{
        (void)first_contact(Moving<Point3>{c.a[0], c.a[1]}, Moving<Triangle3>{triangle(c.b), triangle(c.b, 3)},
                            {.separation = std::fabs(c.a[2].x)});
      },
-     72, 1},
+     72, 1, 12},
     {"first_contact_time", "query/time_of_impact/continuous_contact.hpp", fixed, 50,
      [](const Cloud& c) {
        (void)first_contact_time(Moving<Point3>{c.a[0], c.a[1]}, Moving<Triangle3>{triangle(c.b), triangle(c.b, 3)});

@@ -132,12 +132,13 @@ inline const CostRow rows_of_indexes[]{
        for (const Point3& p : asked_points(c)) (void)closest_on_mesh(PosedMesh{bvh, pose(c.b)}, p);
      },
      72, 1},
-    {"closest_triangles", "space/closest/closest_triangles.hpp", quadratic_log, 500,
+    {"closest_triangles", "space/closest/closest_triangles.hpp", quadratic_log, 125,
      [](const Cloud& c) {
        const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
        const double d = distance(a, b);
        (void)within(a, b, d / 2), (void)closest_triangles(a, b, {.first = true, .within = d});
-     }},
+     },
+     72, 1},
     {"hausdorff_distance", "space/closest/hausdorff.hpp", quadratic_log, 200,
      [](const Cloud& c) {
        (void)hausdorff_distance(build_bvh(c.mesh), build_bvh(c.other), {.execution = Execution::serial});
@@ -157,22 +158,22 @@ inline const CostRow rows_of_indexes[]{
        for (int i = 0; i < 2; ++i) (void)front.intersecting_pairs(a, b);
      }},
     {"first_contact, translating mesh", "space/moving/translating_mesh.hpp", quadratic_log, 500,
-     [](const Cloud& c) { (void)first_contact(build_bvh(c.mesh), vector(c.a[0]), build_bvh(c.other)); }, 36, 1},
+     [](const Cloud& c) { (void)first_contact(build_bvh(c.mesh), vector(c.a[0]), build_bvh(c.other)); }, 36, 1, 12},
     {"contacts_in_motion", "space/moving/motion_contacts.hpp", quadratic, 1000,
-     [](const Cloud& c) { (void)contacts_in_motion(build_moving_mesh(c.a, c.b, each_third(c.mesh.triangles))); }, 36,
-     1},
+     [](const Cloud& c) { (void)contacts_in_motion(build_moving_mesh(c.a, c.b, each_third(c.mesh.triangles))); }, 36, 1,
+     12},
     {"first_contact, posed mesh", "space/moving/translating_mesh.hpp", quadratic_log, 500,
      [](const Cloud& c) {
        const Bvh a = build_bvh(c.mesh), b = build_bvh(c.other);
        (void)first_contact(PosedMesh{a, pose(c.b)}, vector(c.a[0]), PosedMesh{b, identity_pose});
      },
-     18, 1},
+     18, 1, 12},
     {"contacts_in_motion, posed", "space/moving/motion_contacts.hpp", quadratic, 1000,
      [](const Cloud& c) {
        const MovingMesh mesh = build_moving_mesh(c.a, c.b, each_third(c.mesh.triangles));
        (void)contacts_in_motion(MovingMeshView{mesh, identity_pose, pose(c.b)});
      },
-     9, 1},
+     9, 1, 12},
     {"build_moving_mesh", "space/moving/moving_mesh.hpp", quadratic, 5,
      [](const Cloud& c) { (void)build_moving_mesh(c.a, c.b, c.mesh.triangles); }},
     {"hausdorff_distance, posed", "space/closest/hausdorff.hpp", quadratic_log, 500,
@@ -450,12 +451,13 @@ inline const CostRow rows_of_indexes[]{
      [](const Cloud& c) { (void)convex_parts(hull_of(c.a)); }},
     {"covering_parts", "surface/parts/covering_parts.hpp", quadratic, 5000,
      [](const Cloud& c) { (void)covering_parts(hull_of(c.a), {.concavity = 0}); }},
-    {"arrange", "surface/solid/arrangement.hpp", quartic, 3000,
+    {"arrange", "surface/solid/arrangement.hpp", quartic, 750,
      [](const Cloud& c) {
        (void)arrange(std::vector{hull_of(c.a), hull_of(c.b)});
-     }},
-    {"find_clash", "world/clash.hpp", quartic, 8000,
-     [](const Cloud& c) { (void)find_clash(ClashPart(hull_of(c.a)), ClashPart(hull_of(c.b))); }},
+     },
+     72, 1},
+    {"find_clash", "world/clash.hpp", quartic, 2000,
+     [](const Cloud& c) { (void)find_clash(ClashPart(hull_of(c.a)), ClashPart(hull_of(c.b))); }, 72, 1, 12},
     {"find_clashes", "world/clashes.hpp", quadratic, 100,
      [](const Cloud& c) {
        std::vector<TriangleMesh> parts;
@@ -465,12 +467,12 @@ inline const CostRow rows_of_indexes[]{
        }
        (void)find_clashes(parts);
      }},
-    {"unite", "surface/solid/boolean.hpp", quartic, 3000,
-     [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }},
-    {"intersection_curves", "surface/solid/intersection_curves.hpp", quartic, 3000,
-     [](const Cloud& c) { (void)intersection_curves(hull_of(c.a), hull_of(c.b)); }},
-    {"evaluate", "surface/solid/evaluate.hpp", quartic, 3000,
-     [](const Cloud& c) { (void)evaluate(csg(hull_of(c.a)) - csg(hull_of(c.b))); }},
+    {"unite", "surface/solid/boolean.hpp", quartic, 750,
+     [](const Cloud& c) { (void)unite(hull_of(c.a), hull_of(c.b)); }, 72, 1},
+    {"intersection_curves", "surface/solid/intersection_curves.hpp", quartic, 750,
+     [](const Cloud& c) { (void)intersection_curves(hull_of(c.a), hull_of(c.b)); }, 72, 1},
+    {"evaluate", "surface/solid/evaluate.hpp", quartic, 750,
+     [](const Cloud& c) { (void)evaluate(csg(hull_of(c.a)) - csg(hull_of(c.b))); }, 72, 1},
     {"merge_pieces", "surface/solid/merge_pieces.hpp", quadratic, 200,
      [](const Cloud& c) { (void)merge_pieces(exact_hull_of(c.a)); }},
     {"split", "surface/solid/split.hpp", quadratic, 200,
@@ -478,7 +480,7 @@ inline const CostRow rows_of_indexes[]{
        (void)split(exact_hull_of(c.a), Plane3{{1, 1, 1}, c.a[0].x});
      }},
     {"round", "surface/solid/round.hpp", quartic, 100, [](const Cloud& c) { (void)round(resolve(hull_of(c.a))); }},
-    {"repair", "surface/repair/repair.hpp", quartic, 2000, [](const Cloud& c) { (void)repair(c.mesh); }},
+    {"repair", "surface/repair/repair.hpp", quartic, 500, [](const Cloud& c) { (void)repair(c.mesh); }, 72, 1, 12},
     {"close_vertices", "surface/topology/defects.hpp", quadratic, 5,
      [](const Cloud& c) { (void)close_vertices(c.mesh, std::fabs(c.a[0].x)); }},
     {"vertices_on_edges", "surface/topology/defects.hpp", quadratic, 50,
