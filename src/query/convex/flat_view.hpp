@@ -3,6 +3,7 @@
 // Cost: a jump.
 #pragma once
 
+#include <cstdlib>
 #include <type_traits>
 
 #include "plumb/query/body/detail/with_figure.hpp"
@@ -18,7 +19,7 @@ decltype(auto) with_shape(const FlatView& v, F f) {
     if constexpr (FlatFigure<Shape>) {
       return f(s);
     } else {
-      __builtin_unreachable();
+      std::abort();  // no FlatView is made of such a kind
     }
   });
 }

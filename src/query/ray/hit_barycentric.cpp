@@ -47,13 +47,15 @@ ExactHitBarycentric along_edges(const std::array<Exact, 3>& corner, const Exact&
   for (std::size_t i = 0; i < 3; ++i) {
     if (is_origin(point - corner[i])) return at_corners(i, Rational(0));
   }
-  for (std::size_t i = 0; i < 3; ++i) {
+  const auto share_along = [&](std::size_t i) {
     const Exact edge = corner[(i + 1) % 3] - corner[i];
-    if (is_origin(edge)) continue;
-    const Rational share = dot(point - corner[i], edge) / square_of(edge);
+    return is_origin(edge) ? Rational(0) : Rational(dot(point - corner[i], edge) / square_of(edge));
+  };
+  for (const std::size_t i : {0, 1}) {
+    const Rational share = share_along(i);
     if (share > Rational(0) && share < Rational(1)) return at_corners(i, share);
   }
-  __builtin_unreachable();  // what is on three points of a line is between two of them
+  return at_corners(2, share_along(2));  // what is on three points of a line is between two of them
 }
 
 ExactHitBarycentric at_parameter(const AnyRay& ray, const PosedTriangle3& triangle, const Rational& t) {

@@ -1,5 +1,6 @@
 // Where a line enters each convex piece of a posed figure, by what bounds it; of round ones as the line is seen before the
 // pose.
+#include <cstdlib>
 #include <string>
 
 #include "arith/big_rounding.hpp"
@@ -104,7 +105,7 @@ std::optional<SeenHit> hit_before_pose(const ExactShot& shot, FigureKind ray, co
     if constexpr (requires { seen_hit(line, figure); }) {
       return seen_hit(line, figure);
     } else {
-      __builtin_unreachable();
+      std::abort();  // sees_line told that it does not see the line
     }
   });
 }
