@@ -41,7 +41,8 @@ class SmallTree : public testing::Test {
     write("include/plumb/predicates.hpp",
           "// tool/report.hpp, predicates/orient.hpp, geometry/sphere.hpp, certify/all.hpp, certify/cgal_kernel.hpp, "
           "certify/from_c.hpp, certify/mesh.hpp, certify/odd.hpp,\n"
-          "// certify/slow.hpp, figure/basic/fit.hpp, degenerate/points.hpp, query/ray/hit.hpp\n#include "
+          "// certify/slow.hpp, figure/basic/fit.hpp, degenerate/points.hpp, query/ray/hit.hpp, "
+          "query/ray/seen.hpp\n#include "
           "\"plumb/certify/decide.hpp\"\n");
     write("include/plumb/certify/detail/stage.hpp",
           "namespace plumb {\nnamespace certify {\n}  // namespace certify\n");
@@ -58,6 +59,14 @@ class SmallTree : public testing::Test {
     write("include/plumb/classic.h", "");
     write("src/classic/classic.cpp", "#include \"plumb/classic.h\"\n#include \"plumb/certify/decide.hpp\"\n");
     write("src/install.cmake", "");
+    write("include/plumb/query/ray/seen.hpp",
+          "namespace plumb::query {\nstruct Hit {\n};\nstruct Other;\n}  // namespace plumb::query\n");
+    write("src/query/ray/seen.cpp",
+          "namespace plumb::query {\nnamespace {\nstruct Part {};\nusing Hits = int;\n}  // namespace\n"
+          "struct Other {};\ntemplate <>\nstruct Hit<int> {};\n}  // namespace plumb::query\n");
+    write("src/query/overlap/seen.cpp",
+          "namespace plumb::query {\nnamespace {\nstruct Part {};\nusing Hits = int;\n}  // namespace\n"
+          "#if 1\nstruct Other {};\n#endif\n}  // namespace plumb::query\n");
     write("src/python/signs.cpp", "#include \"tool/mesh/near.hpp\"\n#include <pybind11/pybind11.h>\n");
     write("src/tool/program/main.cpp", "#include \"tool/mesh/report.hpp\"\n#include <fmt/core.h>\n");
     write("tests/oracle/cgal.cpp", "#include <CGAL/Gmpq.h>\n");
@@ -138,6 +147,15 @@ TEST_F(SmallTree, EveryBreachIsNoticedAlone) {
       {"src/space/bvh/near.cpp", "constexpr double off = 0x1p-40;\n", "types a bound in line 1"},
       {"src/surface/file/near.cpp", "\n// No area is off by at most six times that.\n", "types a bound in line 2"},
       {"src/figure/basic/near.cpp", "// A guess.\n\n\n\n\nbool near = x < 3 * filter_constant<F>();\n", "in line 6"},
+      {"src/query/ray/near.cpp", "int f() {\n  __builtin_unreachable();\n}\n", "has no end in line 2"},
+      {"src/query/ray/near.cpp", "namespace plumb::query {\nstruct Hit {};\n}  // namespace plumb::query\n",
+       "names a type Hit, as does include/plumb/query/ray/seen.hpp"},
+      {"src/query/ray/near.cpp",
+       "namespace plumb::query {\ntemplate <class T>\nclass Hit final : public T {\n}  // namespace plumb::query\n",
+       "names a type Hit"},
+      {"src/query/ray/near.cpp", "namespace plumb {\nnamespace query {\nusing Hit = int;\n", "names a type Hit"},
+      {"src/query/ray/told.cpp", "namespace plumb::query {\nnamespace {\nstruct Part {\n",
+       "names a type Part, as does src/query/ray/seen.cpp"},
       {"tests/oracle/report.txt", std::string(200'001, ' '), "200001 bytes"},
   };
   for (const Case& c : cases) {

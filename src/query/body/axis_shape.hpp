@@ -17,27 +17,27 @@ namespace plumb::query {
 
 /// All from + t along, from t = 0 where it has a start, up to t = 1 where it has an end.
 template <class T>
-struct Straight {
+struct StraightAxis {
   arith::Vec<T> from, along;
   bool has_start, has_end;
 };
 
 template <class T>
-Straight<T> straight(const Line3& line) {
+StraightAxis<T> straight(const Line3& line) {
   return {arith::vec<T>(line.point), arith::vec<T>(line.direction), false, false};
 }
 template <class T>
-Straight<T> straight(const Ray3& ray) {
+StraightAxis<T> straight(const Ray3& ray) {
   return {arith::vec<T>(ray.origin), arith::vec<T>(ray.direction), true, false};
 }
 template <class T>
-Straight<T> straight(const Segment3& s) {
+StraightAxis<T> straight(const Segment3& s) {
   const arith::Vec<T> a = arith::vec<T>(s.a);
   return {a, arith::vec<T>(s.b) - a, true, true};
 }
 /// Of three points on one line, which are not all equal.
 template <class T>
-Straight<T> straight(const ThreePointPlane3& line) {
+StraightAxis<T> straight(const ThreePointPlane3& line) {
   const arith::Vec<T> a = arith::vec<T>(line.a);
   return {a, arith::vec<T>(line.a == line.b ? line.c : line.b) - a, false, false};
 }
@@ -48,7 +48,7 @@ inline bool is_point(const Segment3& s) { return s.a == s.b; }
 inline bool is_point(const ThreePointPlane3& plane) { return plane.a == plane.b && plane.a == plane.c; }
 
 /// Of exact numbers, against a shape that is itself.
-Relation relate_exact_line(const Straight<Rational>& line, const RoundAxis& shape);
+Relation relate_exact_line(const StraightAxis<Rational>& line, const RoundAxis& shape);
 /// All x with normal . x - offset = 0, or <= 0; the normal is not zero.
 struct ExactPlane {
   arith::Vec<Rational> normal;

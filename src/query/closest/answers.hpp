@@ -42,7 +42,7 @@ constexpr double radius_of(const Shape& shape) {
 }
 
 template <class Shape>
-Numbers numbers_of(Wanted wanted, const Shape& shape, const PointOf<Shape>& p, const Feature& feature) {
+NearestNumbers numbers_of(Wanted wanted, const Shape& shape, const PointOf<Shape>& p, const Feature& feature) {
   const auto exactly = [&] { return Nearest<Shape>::template foot<BigDyadic>(shape, p, feature); };
   return numbers(wanted, Nearest<Shape>::template foot<Ball>(shape, p, feature), in_space(p), radius_of(shape),
                  ExactFoot(exactly));
@@ -64,7 +64,7 @@ void require(std::string_view function, const Shape& s, const PointOf<Shape>& p)
 /// By signs, pairs of doubles and integers: where there is no quick way, or it does not tell.
 struct Answer {
   Feature feature;
-  Numbers numbers;  // those that are wanted
+  NearestNumbers numbers;  // those that are wanted
 };
 template <class Shape>
 [[gnu::noinline]] Answer answer(std::string_view function, Wanted wanted, const Shape& shape, const PointOf<Shape>& p) {

@@ -29,7 +29,7 @@ struct SpotsOnLines {
 
 /// A line, ray or segment over a number type: from + s along, 0 <= s where it starts, s <= 1 where it ends.
 template <class V, class Point>
-struct Linear {
+struct LinearFigure {
   Point from, to;  // `to` of segments only
   V along;
   bool starts, ends, is_point;
@@ -82,7 +82,7 @@ inline Straight<Point2> straight(const Line2& l) { return straight(l.point, l.di
 inline Straight<Point3> straight(const Line3& l) { return straight(l.point, l.direction, false); }
 
 template <class T, class Point>
-[[gnu::always_inline]] inline Linear<VecOf<Point, T>, Point> linear(const Straight<Point>& s) {
+[[gnu::always_inline]] inline LinearFigure<VecOf<Point, T>, Point> linear(const Straight<Point>& s) {
   return {s.from,     s.to,   s.ends ? between<T>(s.from, s.to) : vector_of<T>(s.direction), s.starts, s.ends,
           s.is_point, s.order};
 }
@@ -100,7 +100,7 @@ SpotOnLine place_on(const L& l, const T& numerator, const T& whole, CertainSigns
 
 /// The place on l that is nearest to a point.
 template <class T, class Point>
-SpotOnLine place_near(const Linear<VecOf<Point, T>, Point>& l, const Point& p, CertainSigns& ask) {
+SpotOnLine place_near(const LinearFigure<VecOf<Point, T>, Point>& l, const Point& p, CertainSigns& ask) {
   if (l.is_point) return SpotOnLine::start;
   if (l.starts && ask(dot(between<T>(l.from, p), l.along)) != Sign::positive) return SpotOnLine::start;
   if (l.ends && ask(dot(between<T>(p, l.to), l.along)) != Sign::positive) return SpotOnLine::end;
@@ -109,8 +109,8 @@ SpotOnLine place_near(const Linear<VecOf<Point, T>, Point>& l, const Point& p, C
 
 /// Of parallel p and q, neither a point.
 template <class T, class Point>
-SpotsOnLines parallel_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q,
-                             CertainSigns& ask) {
+SpotsOnLines parallel_places(const LinearFigure<VecOf<Point, T>, Point>& p,
+                             const LinearFigure<VecOf<Point, T>, Point>& q, CertainSigns& ask) {
   const bool same_way = ask(dot(p.along, q.along)) == Sign::positive;
   // What of q comes first and last in the direction of p.
   const bool has_low = same_way ? q.starts : q.ends, has_high = same_way ? q.ends : q.starts;
@@ -141,8 +141,8 @@ SpotsOnLines parallel_places(const Linear<VecOf<Point, T>, Point>& p, const Line
 /// The least distance of a point within p from the line of q is at numerator / whole; where that is beyond an end, the
 /// least of all is at the end.  The distance is a convex function of both parameters (RTCD 5.1.9).
 template <class T, class Point>
-SpotsOnLines closest_places(const Linear<VecOf<Point, T>, Point>& p, const Linear<VecOf<Point, T>, Point>& q,
-                            CertainSigns& ask) {
+SpotsOnLines closest_places(const LinearFigure<VecOf<Point, T>, Point>& p,
+                            const LinearFigure<VecOf<Point, T>, Point>& q, CertainSigns& ask) {
   if (p.is_point) return {SpotOnLine::start, place_near<T>(q, p.from, ask)};
   if (q.is_point) return {place_near<T>(p, q.from, ask), SpotOnLine::start};
   const auto n = cross(p.along, q.along);
@@ -172,14 +172,15 @@ template <class T>
 }
 
 template <class T, class Point>
-[[gnu::always_inline]] inline PointOn<T, Point> end_of(const Linear<VecOf<Point, T>, Point>& l, SpotOnLine place) {
+[[gnu::always_inline]] inline PointOn<T, Point> end_of(const LinearFigure<VecOf<Point, T>, Point>& l,
+                                                       SpotOnLine place) {
   return {l.at(place), l.along, T(0.0), T(1.0)};
 }
 
 /// A place of a closest pair that is no inside of both parallel ones, with its numbers.
 template <class T, class Point>
-[[gnu::always_inline]] inline ClosePair<T, Point> close_pair(const Linear<VecOf<Point, T>, Point>& p,
-                                                             const Linear<VecOf<Point, T>, Point>& q,
+[[gnu::always_inline]] inline ClosePair<T, Point> close_pair(const LinearFigure<VecOf<Point, T>, Point>& p,
+                                                             const LinearFigure<VecOf<Point, T>, Point>& q,
                                                              const SpotsOnLines& places) {
   const bool p_inside = places.a == SpotOnLine::inside, q_inside = places.b == SpotOnLine::inside;
   if (p_inside && q_inside) {

@@ -77,7 +77,8 @@ double distance_by_integers(const FootIntegers& e, double radius) {
 
 }  // namespace
 
-Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius, const ExactFoot& exactly) {
+NearestNumbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius,
+                       const ExactFoot& exactly) {
   if (foot.carrier == Carrier::itself) return {{p.x + 0.0, p.y + 0.0, p.z + 0.0}, 0};  // never -0
   const bool point = wanted != Wanted::distance, distance = wanted != Wanted::point;
   Quick q = quick_numbers(foot, distance || radius != 0);

@@ -28,14 +28,14 @@ class ExactFoot {
 
 enum class Wanted : unsigned char { point = 1, distance = 2, both = 3 };
 
-struct Numbers {
+struct NearestNumbers {
   Point3 point{};
   double distance = 0;
 };
 
 /// The point of the ball of this radius about the foot that is nearest to p, which is outside of the ball.  A radius of
 /// zero asks for the foot.
-Numbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius, const ExactFoot& exactly);
+NearestNumbers numbers(Wanted wanted, const Foot<Ball>& foot, const Point3& p, double radius, const ExactFoot& exactly);
 
 Rational rational_square(const Foot<BigDyadic>& foot);
 

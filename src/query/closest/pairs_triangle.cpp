@@ -15,7 +15,7 @@ using namespace query;
 template <class T, class A, class B>
 std::optional<Found<T>> found_over(const A& a, const B& b, const Shortlist& list) {
   CertainSigns ask;
-  const Body<T> p = body_of<T>(a, ask), q = body_of<T>(b, ask);
+  const StraightBody<T> p = body_of<T>(a, ask), q = body_of<T>(b, ask);
   const auto found = FeatureSearch<T>(p, q, list, ask).run();
   if (ask.certain()) return found;
   return {};

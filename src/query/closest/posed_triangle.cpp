@@ -49,8 +49,8 @@ Foot<T> weighted_foot(const WeightedCorners<T>& corners, const Point3& p, Featur
 }
 
 /// Of a pose that has a weight: the point by integers, the distance by pairs of doubles first.
-Numbers numbers_of_weighted(const PosedTriangle3& t, const Point3& p, Feature feature, Wanted wanted) {
-  Numbers r;
+NearestNumbers numbers_of_weighted(const PosedTriangle3& t, const Point3& p, Feature feature, Wanted wanted) {
+  NearestNumbers r;
   std::optional<WeightedCorners<BigDyadic>> corners;
   const auto exactly = [&] {
     if (!corners) corners.emplace(t);
@@ -79,7 +79,7 @@ Numbers numbers_of_weighted(const PosedTriangle3& t, const Point3& p, Feature fe
   return r;
 }
 
-Numbers numbers_near(const PosedTriangle3& t, const Point3& p, Feature feature, Wanted wanted) {
+NearestNumbers numbers_near(const PosedTriangle3& t, const Point3& p, Feature feature, Wanted wanted) {
   const WeightedCorners<Ball> quick(t);
   if (quick.by.has_weight) return numbers_of_weighted(t, p, feature, wanted);
   const auto exactly = [&] { return weighted_foot(WeightedCorners<BigDyadic>(t), p, feature); };
@@ -129,7 +129,7 @@ Feature nearest_feature(const PosedTriangle3& triangle, const Point3& p) {
 
 ClosestOnPosed closest_on(const PosedTriangle3& triangle, const Point3& p) {
   const Feature feature = nearest_feature(triangle, p);
-  const Numbers n = numbers_near(triangle, p, feature, Wanted::both);
+  const NearestNumbers n = numbers_near(triangle, p, feature, Wanted::both);
   return {n.point, n.distance, feature};
 }
 double distance(const PosedTriangle3& triangle, const Point3& p) {

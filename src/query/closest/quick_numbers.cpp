@@ -33,8 +33,8 @@ template <class T, class V>
 
 /// Both strictly inside, and not parallel: in the plane they cross.
 template <class Wanted, class T>
-[[gnu::always_inline]] inline bool both_inside(const Linear<Vec2<T>, Point2>& p, const Linear<Vec2<T>, Point2>& q,
-                                               PairNumbers<Point2>& out) {
+[[gnu::always_inline]] inline bool both_inside(const LinearFigure<Vec2<T>, Point2>& p,
+                                               const LinearFigure<Vec2<T>, Point2>& q, PairNumbers<Point2>& out) {
   out.distance = 0;
   if constexpr (std::is_same_v<Wanted, DistanceAlone>) return true;
   const auto w = between<T>(p.from, q.from);
@@ -44,8 +44,8 @@ template <class Wanted, class T>
   return sure;
 }
 template <class Wanted, class T>
-[[gnu::always_inline]] inline bool both_inside(const Linear<Vec3<T>, Point3>& p, const Linear<Vec3<T>, Point3>& q,
-                                               PairNumbers<Point3>& out) {
+[[gnu::always_inline]] inline bool both_inside(const LinearFigure<Vec3<T>, Point3>& p,
+                                               const LinearFigure<Vec3<T>, Point3>& q, PairNumbers<Point3>& out) {
   const Vec3<T> w = between<T>(p.from, q.from);
   const T a = dot(p.along, p.along), b = dot(p.along, q.along), c = dot(p.along, w);
   const T e = dot(q.along, q.along), f = dot(q.along, w), whole = a * e - b * b;
@@ -60,8 +60,8 @@ template <class Wanted, class T>
 
 /// The foot of a point on a line.
 template <class Wanted, class T, class Point>
-[[gnu::always_inline]] inline bool foot_on(const Linear<VecOf<Point, T>, Point>& l, const Point& from, Point& foot,
-                                           double& distance) {
+[[gnu::always_inline]] inline bool foot_on(const LinearFigure<VecOf<Point, T>, Point>& l, const Point& from,
+                                           Point& foot, double& distance) {
   const auto w = between<T>(l.from, from);
   const auto along = l.along * quotient(dot(w, l.along), dot(l.along, l.along));
   bool sure = keep_length<T>(distance, w - along);
@@ -95,7 +95,7 @@ template <class Wanted, class T>
 
 template <class T>
 [[gnu::always_inline]] inline bool crossing(const Straight<Point3>& s, const Triangle3& t, Point3& out) {
-  const Linear<Vec3<T>, Point3> p = linear<T>(s);
+  const LinearFigure<Vec3<T>, Point3> p = linear<T>(s);
   const Vec3<T> n = cross(between<T>(t.a, t.b), between<T>(t.a, t.c));
   return keep(out, vector_of<T>(p.from) + p.along * quotient(dot(n, between<T>(p.from, t.a)), dot(n, p.along)));
 }

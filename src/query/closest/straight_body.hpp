@@ -16,7 +16,7 @@
 namespace plumb::query {
 
 template <class T, class P = Point3>
-using Edge3 = Linear<Vec3<T>, P>;
+using Edge3 = LinearFigure<Vec3<T>, P>;
 
 template <class T, class P = Point3>
 struct TriangleFace {
@@ -27,7 +27,7 @@ struct TriangleFace {
 };
 
 template <class T, class P = Point3>
-struct Body {
+struct StraightBody {
   struct NumberedEdge {
     Edge3<T, P> edge;
     std::uint32_t index;
@@ -40,16 +40,16 @@ struct Body {
 };
 
 template <class T, class P>
-typename Body<T, P>::NumberedEdge no_edge(const P& at) {
+typename StraightBody<T, P>::NumberedEdge no_edge(const P& at) {
   const T zero(0.0);
   return {{at, at, {zero, zero, zero}, true, true, true, 0}, 0};
 }
 
 template <class T>
-Body<T> body_of(const Straight<Point3>& s, CertainSigns&) {
+StraightBody<T> body_of(const Straight<Point3>& s, CertainSigns&) {
   const Edge3<T> e = linear<T>(s);
   const auto none = no_edge<T>(e.from);
-  Body<T> body{{e.from, e.to, e.to}, {typename Body<T>::NumberedEdge{e, 0}, none, none}, 0, 0, {}};
+  StraightBody<T> body{{e.from, e.to, e.to}, {typename StraightBody<T>::NumberedEdge{e, 0}, none, none}, 0, 0, {}};
   body.vertex_count = e.ends ? 2 : e.starts || e.is_point ? 1 : 0;
   body.edge_count = e.is_point ? 0 : 1;
   return body;
@@ -67,9 +67,9 @@ TriangleFace<T> face_of(const Triangle3& t) {
 }
 
 template <class T>
-Body<T> body_of(const Triangle3& t, CertainSigns& ask) {
+StraightBody<T> body_of(const Triangle3& t, CertainSigns& ask) {
   const auto none = no_edge<T>(t.a);
-  Body<T> body{{t.a, t.b, t.c}, {none, none, none}, 3, 0, {}};
+  StraightBody<T> body{{t.a, t.b, t.c}, {none, none, none}, 3, 0, {}};
   const std::array<Segment3, 3> edges{{{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}};
   for (std::uint32_t i = 0; i < 3; ++i) {
     const Edge3<T> e = linear<T>(edges[i]);
@@ -83,10 +83,10 @@ Body<T> body_of(const Triangle3& t, CertainSigns& ask) {
 
 /// The corners are told over the number type; the order of an edge's ends is not told.
 template <class T>
-Body<T, Vec3<T>> body_of(const std::array<Vec3<T>, 3>& corner, CertainSigns& ask) {
+StraightBody<T, Vec3<T>> body_of(const std::array<Vec3<T>, 3>& corner, CertainSigns& ask) {
   using P = Vec3<T>;
   const auto none = no_edge<T>(corner[0]);
-  Body<T, P> body{corner, {none, none, none}, 3, 0, {}};
+  StraightBody<T, P> body{corner, {none, none, none}, 3, 0, {}};
   for (std::uint32_t i = 0; i < 3; ++i) {
     const P &from = corner[i], &to = corner[(i + 1) % 3], along = to - from;
     if (ask(dot(along, along)) == Sign::positive)

@@ -22,13 +22,13 @@ struct Found {
 };
 
 template <class T, class P>
-bool strictly_on(const Linear<Vec3<T>, P>& e, const P& p, CertainSigns& ask) {
+bool strictly_on(const LinearFigure<Vec3<T>, P>& e, const P& p, CertainSigns& ask) {
   return place_near<T>(e, p, ask) == SpotOnLine::inside;
 }
 
 /// The closest pair of two edges, if it is one alone and within both.
 template <class T, class P>
-std::optional<ClosePair<T, P>> pair_within(const Linear<Vec3<T>, P>& e, const Linear<Vec3<T>, P>& f,
+std::optional<ClosePair<T, P>> pair_within(const LinearFigure<Vec3<T>, P>& e, const LinearFigure<Vec3<T>, P>& f,
                                            CertainSigns& ask) {
   const Vec3<T> n = cross(e.along, f.along), w = between<T>(e.from, f.from);
   const T whole = dot(n, n);
@@ -41,7 +41,7 @@ std::optional<ClosePair<T, P>> pair_within(const Linear<Vec3<T>, P>& e, const Li
   return ClosePair<T, P>{{e.from, e.along, on_e, whole}, {f.from, f.along, on_f, whole}, gap * gap, whole};
 }
 template <class T, class P>
-bool cross_within(const Linear<Vec3<T>, P>& e, const Linear<Vec3<T>, P>& f, CertainSigns& ask) {
+bool cross_within(const LinearFigure<Vec3<T>, P>& e, const LinearFigure<Vec3<T>, P>& f, CertainSigns& ask) {
   return pair_within(e, f, ask).has_value();
 }
 
@@ -55,7 +55,7 @@ bool projects_within(const TriangleFace<T, P>& face, const P& p, CertainSigns& a
 
 /// Does the edge's line, which goes through the plane this way, pass strictly within the face?
 template <class T, class P>
-bool passes_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face, Sign up, CertainSigns& ask) {
+bool passes_within(const LinearFigure<Vec3<T>, P>& e, const TriangleFace<T, P>& face, Sign up, CertainSigns& ask) {
   const std::array<Vec3<T>, 3> to{between<T>(e.from, face.corner[0]), between<T>(e.from, face.corner[1]),
                                   between<T>(e.from, face.corner[2])};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -65,7 +65,8 @@ bool passes_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face, 
 }
 /// Does the edge cross the plane of the face strictly within both?  `rise`: that of the normal along the edge.
 template <class T, class P>
-bool crosses_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face, const T& rise, CertainSigns& ask) {
+bool crosses_within(const LinearFigure<Vec3<T>, P>& e, const TriangleFace<T, P>& face, const T& rise,
+                    CertainSigns& ask) {
   const Sign up = ask(rise);
   if (up == Sign::zero) return false;
   if (e.starts && ask(dot(face.normal, between<T>(face.corner[0], e.from))) * up != Sign::negative) return false;
@@ -85,14 +86,14 @@ ClosePair<T, P> vertex_pair(const P& v, const P& w) {
   return {fixed<T>(v), fixed<T>(w), dot(to, to), T(1.0)};
 }
 template <class T, class P>
-ClosePair<T, P> vertex_edge_pair(const P& v, const Linear<Vec3<T>, P>& e) {
+ClosePair<T, P> vertex_edge_pair(const P& v, const LinearFigure<Vec3<T>, P>& e) {
   const Vec3<T> to = between<T>(e.from, v), c = cross(to, e.along);
   const T whole = dot(e.along, e.along);
   return {fixed<T>(v), {e.from, e.along, dot(to, e.along), whole}, dot(c, c), whole};
 }
 /// Does the vertex project strictly into the edge?
 template <class T, class P>
-std::optional<ClosePair<T, P>> pair_within(const P& v, const Linear<Vec3<T>, P>& e, CertainSigns& ask) {
+std::optional<ClosePair<T, P>> pair_within(const P& v, const LinearFigure<Vec3<T>, P>& e, CertainSigns& ask) {
   const Vec3<T> to = between<T>(e.from, v);
   const T part = dot(to, e.along), whole = dot(e.along, e.along);
   if (place_on(e, part, whole, ask) != SpotOnLine::inside) return {};
@@ -107,7 +108,7 @@ ClosePair<T, P> vertex_face_pair(const P& v, const TriangleFace<T, P>& face) {
 
 /// The place is told where the edge crosses the face, strictly within both.
 template <class T, class P>
-std::optional<ClosePair<T, P>> pair_within(const Linear<Vec3<T>, P>& e, const TriangleFace<T, P>& face,
+std::optional<ClosePair<T, P>> pair_within(const LinearFigure<Vec3<T>, P>& e, const TriangleFace<T, P>& face,
                                            CertainSigns& ask) {
   const T zero(0.0), rise = dot(e.along, face.normal), gap = dot(face.normal, between<T>(e.from, face.corner[0]));
   const Sign up = ask(rise);
@@ -169,7 +170,7 @@ inline constexpr Feature the_face{FeatureKind::face, 0};
 template <class T, class P = Point3>
 class FeatureSearch {
  public:
-  FeatureSearch(const Body<T, P>& p, const Body<T, P>& q, const Shortlist& list, CertainSigns& ask,
+  FeatureSearch(const StraightBody<T, P>& p, const StraightBody<T, P>& q, const Shortlist& list, CertainSigns& ask,
                 LeastOf of = LeastOf::first_in_order)
       : p_(p), q_(q), list_(list), ask_(ask), least_(of, ask) {}
 
@@ -213,7 +214,7 @@ class FeatureSearch {
     }
   }
   template <class See>
-  void on_face(const Body<T, P>& p, const TriangleFace<T, P>& face, const std::array<bool, 3>& vertices,
+  void on_face(const StraightBody<T, P>& p, const TriangleFace<T, P>& face, const std::array<bool, 3>& vertices,
                const std::array<bool, 3>& edges, See see) {
     for (std::uint32_t i = 0; i < p.vertex_count; ++i) {
       if (vertices[i] && projects_within(face, p.vertex[i], ask_))
@@ -226,8 +227,8 @@ class FeatureSearch {
     }
   }
 
-  const Body<T, P>& p_;
-  const Body<T, P>& q_;
+  const StraightBody<T, P>& p_;
+  const StraightBody<T, P>& q_;
   const Shortlist& list_;
   CertainSigns& ask_;
   Least<T, P> least_;

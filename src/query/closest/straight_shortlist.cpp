@@ -64,7 +64,7 @@ Weight edge_face(const Edge3<A>& e, const TriangleFace<A>& face) {
 
 class Weights {
  public:
-  Weights(const Body<A>& p, const Body<A>& q) {
+  Weights(const StraightBody<A>& p, const StraightBody<A>& q) {
     for (std::uint32_t i = 0; i < 3; ++i) {
       for (std::uint32_t j = 0; j < 3; ++j) {
         const Edge3<A>&e = p.edges[i].edge, &f = q.edges[j].edge;

@@ -227,9 +227,9 @@ bool gjk_meets(const BodyView& a, const BodyView& b, const GjkOptions& options) 
   if (options.history == nullptr) {
     QuickBody first{a}, second{b};
     if (first.set() && second.set()) {
-      const Meeting met = met_at_once(first, second, guess);
-      if (met != Meeting::unsure && options.cache != nullptr) *options.cache = guess;
-      if (met != Meeting::unsure) return met != Meeting::apart;
+      const MetAtOnce met = met_at_once(first, second, guess);
+      if (met != MetAtOnce::unsure && options.cache != nullptr) *options.cache = guess;
+      if (met != MetAtOnce::unsure) return met != MetAtOnce::apart;
     }
   }
   const BodyPair pair("gjk_intersects", a, b);

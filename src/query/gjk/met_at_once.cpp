@@ -15,8 +15,8 @@
 namespace plumb::query {
 namespace {
 
-Meeting meeting_of(const ProvedCorners& proved) {
-  return !proved.meets ? Meeting::apart : proved.corners.size == 4 ? Meeting::overlap : Meeting::meet;
+MetAtOnce meeting_of(const ProvedCorners& proved) {
+  return !proved.meets ? MetAtOnce::apart : proved.corners.size == 4 ? MetAtOnce::overlap : MetAtOnce::meet;
 }
 
 DifferenceCorners corners_of(const GjkSimplex& simplex) {
@@ -51,49 +51,49 @@ std::optional<bool> are_parted_in(const std::array<CoreCorners, 2>& c, const Dif
 }
 
 /// Of corners that are no doubles as given, and no radius.
-Meeting met_under_pose(const QuickBody& a, const QuickBody& b, GjkCache& found) {
+MetAtOnce met_under_pose(const QuickBody& a, const QuickBody& b, GjkCache& found) {
   const auto c = corners_of(a, b);
-  if (!c[0].is_finite() || !c[1].is_finite()) return Meeting::unsure;
+  if (!c[0].is_finite() || !c[1].is_finite()) return MetAtOnce::unsure;
   const ProvedCorners proved = certainly_nearest(c[0], c[1], corners_of(found.simplex));
   keep(found, proved.corners, {0, 0, 0});
   if (!proved.meets || proved.corners.size != 3) return meeting_of(proved);
   auto parted = are_parted_in<ShortDyadic>(c, proved.corners);
   if (!parted) parted = are_parted_in<BigDyadic>(c, proved.corners);
-  return *parted ? Meeting::touch : Meeting::meet;
+  return *parted ? MetAtOnce::touch : MetAtOnce::meet;
 }
 
 /// By integers of the width that it takes.
-Meeting met_by_reach(const QuickBody& a, const QuickBody& b, GjkCache& found) {
+MetAtOnce met_by_reach(const QuickBody& a, const QuickBody& b, GjkCache& found) {
   std::uint32_t steps = 0;
   const Told told = quickly_told_round(a, b, found, steps);
-  if (told == Told::apart) return Meeting::apart;
-  if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return Meeting::unsure;
-  if (told == Told::meet) return Meeting::overlap;
+  if (told == Told::apart) return MetAtOnce::apart;
+  if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return MetAtOnce::unsure;
+  if (told == Told::meet) return MetAtOnce::overlap;
   const auto c = corners_of(a, b);
-  if (!c[0].is_finite() || !c[1].is_finite() || !figure::is_real(a.radius + b.radius)) return Meeting::unsure;
+  if (!c[0].is_finite() || !c[1].is_finite() || !figure::is_real(a.radius + b.radius)) return MetAtOnce::unsure;
   const DifferenceCorners corners = corners_of(found.simplex);
   const auto at_once = judged<ShortDyadic>(c[0], c[1], corners);
   const ProvedCorners proved = at_once && at_once->holds ? at_once->proved : certainly_nearest(c[0], c[1], corners);
   keep(found, proved.corners, {0, 0, 0});
-  if (proved.meets) return Meeting::overlap;
+  if (proved.meets) return MetAtOnce::overlap;
   const Sign gap = gap_of(c[0], c[1], proved.corners, a.radius, b.radius);
-  return gap == Sign::zero ? Meeting::touch : gap == Sign::positive ? Meeting::apart : Meeting::overlap;
+  return gap == Sign::zero ? MetAtOnce::touch : gap == Sign::positive ? MetAtOnce::apart : MetAtOnce::overlap;
 }
 
 }  // namespace
 
-Meeting met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& found) {
+MetAtOnce met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& found) {
   if (a.radius > 0 || b.radius > 0) return met_by_reach(a, b, found);
   std::uint32_t steps = 0;
   const Told told = quickly_told(a, b, found, steps);
-  if (told == Told::apart) return Meeting::apart;
-  if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return Meeting::unsure;
-  if (told == Told::meet) return found.simplex.size == 4 ? Meeting::overlap : Meeting::meet;
+  if (told == Told::apart) return MetAtOnce::apart;
+  if (!a.hull.is_finite_but_of_solid() || !b.hull.is_finite_but_of_solid()) return MetAtOnce::unsure;
+  if (told == Told::meet) return found.simplex.size == 4 ? MetAtOnce::overlap : MetAtOnce::meet;
   if (!a.hull.is_given() || !b.hull.is_given()) return met_under_pose(a, b, found);
   const DifferenceCorners corners = corners_of(found.simplex);
   auto n = certainly_proved(a.hull, b.hull, corners);
   if (!n) n = finely_nearest(a.hull, b.hull, corners);
-  if (!n) return Meeting::unsure;
+  if (!n) return MetAtOnce::unsure;
   keep(found, n->proved.corners, n->way);
   return meeting_of(n->proved);
 }
@@ -148,11 +148,11 @@ struct FigurePair {
   std::optional<CoreCorners> part_of_a = {}, part_of_b = {};
   GjkCache found = {};
 
-  Meeting met() {
+  MetAtOnce met() {
     // A corner that is no number is the farthest one nowhere, and might never be asked.
     const bool are_numbers = set(a, part_of_a, view_of_b) && set(b, part_of_b, view_of_a) &&
                              a.hull.is_finite_but_of_solid() && b.hull.is_finite_but_of_solid();
-    return are_numbers ? met_at_once(a, b, found) : Meeting::unsure;
+    return are_numbers ? met_at_once(a, b, found) : MetAtOnce::unsure;
   }
 };
 
@@ -161,13 +161,13 @@ struct FigurePair {
 std::optional<Relation> relate_by_search(const PosedView& a, const PosedView& b) {
   FigurePair pair{.view_of_a = body_of(a), .view_of_b = body_of(b)};
   switch (pair.met()) {
-    case Meeting::apart:
+    case MetAtOnce::apart:
       return Relation::disjoint;
-    case Meeting::touch:
+    case MetAtOnce::touch:
       return Relation::touching;
-    case Meeting::overlap:
+    case MetAtOnce::overlap:
       return Relation::overlapping;
-    case Meeting::meet:
+    case MetAtOnce::meet:
       if (pair.a.hull.is_given() && pair.b.hull.is_given() &&
           are_parted(pair.a.hull, pair.b.hull, corners_of(pair.found.simplex)))
         return Relation::touching;
@@ -179,9 +179,9 @@ std::optional<Relation> relate_by_search(const PosedView& a, const PosedView& b)
 
 std::optional<bool> meet_by_search(const PosedView& a, const PosedView& b) {
   FigurePair pair{.view_of_a = body_of(a), .view_of_b = body_of(b)};
-  const Meeting met = pair.met();
-  if (met == Meeting::unsure) return {};
-  return met != Meeting::apart;
+  const MetAtOnce met = pair.met();
+  if (met == MetAtOnce::unsure) return {};
+  return met != MetAtOnce::apart;
 }
 
 }  // namespace plumb::query

@@ -12,8 +12,8 @@
 
 namespace plumb::query {
 
-enum class Meeting : unsigned char { unsure, apart, touch, meet, overlap };
+enum class MetAtOnce : unsigned char { unsure, apart, touch, meet, overlap };
 
-Meeting met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& found);
+MetAtOnce met_at_once(const QuickBody& a, const QuickBody& b, GjkCache& found);
 
 }  // namespace plumb::query

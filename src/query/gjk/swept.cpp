@@ -14,7 +14,7 @@ void require_way(std::string_view function, const std::string& name, const Vecto
 }
 
 /// The first one sweeps as it is seen from the second.
-BodyPair swept_pair(std::string_view function, const MovingBody& a, const MovingBody& b) {
+BodyPair swept_pair(std::string_view function, const SweptBody& a, const SweptBody& b) {
   require_way(function, "by_a", a.by), require_way(function, "by_b", b.by);
   BodyPair pair(function, a.body, b.body);
   pair.sweep(a.by, b.by);
@@ -29,12 +29,12 @@ ProvedCorners nearest_on_way(const BodyPair& pair) {
 
 }  // namespace
 
-bool moving_meet(const MovingBody& a, const MovingBody& b) {
+bool moving_meet(const SweptBody& a, const SweptBody& b) {
   const BodyPair pair = swept_pair("gjk_intersects_moving", a, b);
   return pair.meets(nearest_on_way(pair));
 }
 
-double moving_apart_by(const MovingBody& a, const MovingBody& b) {
+double moving_apart_by(const SweptBody& a, const SweptBody& b) {
   const BodyPair pair = swept_pair("gjk_distance_moving", a, b);
   return pair.distance(nearest_on_way(pair));
 }

@@ -40,7 +40,7 @@ struct AxisQuotient {
 template <class T>
 class LineThroughRound {
  public:
-  LineThroughRound(const Straight<T>& line, const RoundAxis& axis)
+  LineThroughRound(const StraightAxis<T>& line, const RoundAxis& axis)
       : has_start_(line.has_start),
         has_end_(line.has_end),
         height_(T(0.0)),
@@ -134,7 +134,7 @@ template <class T, class Line, class Round>
 }
 
 /// Once for all lines and shapes: by integers of any size it is thirty kilobytes.
-[[gnu::noinline, gnu::flatten]] Relation exact_crossing(const Straight<BigDyadic>& line, const RoundAxis& round) {
+[[gnu::noinline, gnu::flatten]] Relation exact_crossing(const StraightAxis<BigDyadic>& line, const RoundAxis& round) {
   return *LineThroughRound<BigDyadic>(line, round).relation();
 }
 
@@ -152,7 +152,7 @@ Point3 start_of(const Line& line) {
 /// Is it certain that the line passes by?  Beyond an end of the axis, or outside of the surface all along.
 template <class Line>
 [[gnu::flatten]] bool passes_by(const Line& line, const RoundAxis& axis) {
-  const Straight<Approximate> s = straight<Approximate>(line);
+  const StraightAxis<Approximate> s = straight<Approximate>(line);
   const Vec<Approximate> h = between<Approximate>(axis.from, axis.to),
                          w = between<Approximate>(axis.from, start_of(line));
   const Approximate height = arith::dot(w, h), rise = arith::dot(s.along, h), top = arith::dot(h, h);
@@ -280,7 +280,7 @@ Relation relate_ball_and_axis_round(const Sphere3& ball, const Round& round, Que
 
 }  // namespace
 
-Relation relate_exact_line(const Straight<Rational>& line, const RoundAxis& shape) {
+Relation relate_exact_line(const StraightAxis<Rational>& line, const RoundAxis& shape) {
   return *LineThroughRound<Rational>(line, shape).relation();
 }
 

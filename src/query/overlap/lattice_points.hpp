@@ -123,7 +123,7 @@ Relation relate_straight(const std::array<double, N>& a, const std::array<double
   const auto range = [axis](const auto& of) {
     double low = of[axis], high = of[axis];
     for (std::size_t i = axis; i < of.size(); i += Dimension) low = std::min(low, of[i]), high = std::max(high, of[i]);
-    return Range{low, high};
+    return ClosedRange{low, high};
   };
   return relate_ranges(range(a), range(b));
 }

@@ -6,14 +6,14 @@ namespace plumb::query {
 namespace {
 
 // Of collinear ones along the axis in which the line runs.
-Range range(const Linear2& a, bool along_x) {
+ClosedRange range(const Linear2& a, bool along_x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double p = along_x ? a.p.x : a.p.y, q = along_x ? a.q.x : a.q.y;
   if (a.is_point()) return {p, p};
   if (a.reach == LinearKind::line) return {-infinity, infinity};
   if (a.reach == LinearKind::segment) return {std::min(p, q), std::max(p, q)};
   const bool ahead = (along_x ? a.heads_x() : a.heads_y()) == Sign::positive;
-  return ahead ? Range{p, infinity} : Range{-infinity, p};
+  return ahead ? ClosedRange{p, infinity} : ClosedRange{-infinity, p};
 }
 
 // Where b's line is crossed on a, told by the sides of a's ends: positive in the relative interior.

@@ -183,7 +183,7 @@ class PosedRelation {
       return arith::Vec<Rational>{exact_number(v[0]), exact_number(v[1]), exact_number(v[2])};
     };
     const auto line = [&](const Exact3& along, bool starts, bool stops) {
-      return relate_exact_line(Straight<Rational>{vector(points[0]), vector(along), starts, stops}, shape);
+      return relate_exact_line(StraightAxis<Rational>{vector(points[0]), vector(along), starts, stops}, shape);
     };
     if (lines.empty() && ways == 0 && ends <= 2) return line(points.back() - points[0], true, true);
     if (lines.empty() && ways == 1 && ends == 1) return line(s.directions[0], true, false);

@@ -33,15 +33,15 @@ inline Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Po
 }
 
 /// The closed intervals of two numbers each, which may be infinite; by their relative interiors.
-struct Range {
+struct ClosedRange {
   double low, high;
 };
-constexpr Relation relate_ranges(const Range& a, const Range& b) {
+constexpr Relation relate_ranges(const ClosedRange& a, const ClosedRange& b) {
   const bool a_is_point = a.low == a.high, b_is_point = b.low == b.high;
   if (a_is_point && b_is_point) return a.low == b.low ? Relation::overlapping : Relation::disjoint;
   const double from = std::max(a.low, b.low), to = std::min(a.high, b.high);
   if (a_is_point || b_is_point) {
-    const Range& range = a_is_point ? b : a;
+    const ClosedRange& range = a_is_point ? b : a;
     const double x = a_is_point ? a.low : b.low;
     return static_cast<Relation>((range.low <= x && x <= range.high) + (range.low < x && x < range.high) - 1);
   }

@@ -30,7 +30,7 @@ Point3 rounded_point(const Vec<BigDyadic>& v, const BigDyadic& whole) {
 
 }  // namespace
 
-CornerNumbers numbers_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
+ClosestCorners numbers_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners) {
   CertainSigns ask;
   const auto near = nearest_of<Ball>(a, b, corners, ask);
   const auto on_a = nearest_doubles_of(summed_corners(a, corners, 0, near), near.whole),

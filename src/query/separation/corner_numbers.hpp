@@ -12,12 +12,12 @@
 
 namespace plumb::query {
 
-struct CornerNumbers {
+struct ClosestCorners {
   Point3 on_a{}, on_b{};
   double distance = 0;
 };
 
-CornerNumbers numbers_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners);
+ClosestCorners numbers_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners);
 double distance_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners);
 mpq_class square_of(const CoreCorners& a, const CoreCorners& b, const DifferenceCorners& corners);
 

@@ -106,7 +106,7 @@ class VectorSearch {
     }
     r.disjoint = !proved->meets;
     if (!r.disjoint) return r;
-    const CornerNumbers n = numbers_of(*cores_[0], *cores_[1], proved->corners);
+    const ClosestCorners n = numbers_of(*cores_[0], *cores_[1], proved->corners);
     const auto s = unit(Plain{n.on_b.x - n.on_a.x, n.on_b.y - n.on_a.y, n.on_b.z - n.on_a.z});
     if (!s) return r;
     climb(*s);

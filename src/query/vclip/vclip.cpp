@@ -156,7 +156,7 @@ VClipResult vclip_of(const ClipView& a, const ClipView& b, const VClipOptions& o
     const FeaturesProved proved = corners ? prove_features(solid_a, solid_b, r.at, *corners) : FeaturesProved{};
     if (!proved.holds) return by_search(a, b, r);
     r.meet = proved.meet;
-    const CornerNumbers n = numbers_of(*core_a, *core_b, *corners);
+    const ClosestCorners n = numbers_of(*core_a, *core_b, *corners);
     r.closest = {n.on_a, n.on_b, n.distance, feature_of(solid_a, needed_part(solid_a, r.at.a, *corners, 0)),
                  feature_of(solid_b, needed_part(solid_b, r.at.b, *corners, 1))};
     if (options.squared_distance) r.squared_distance = exact_number(square_of(*core_a, *core_b, *corners));

@@ -83,7 +83,7 @@ Sign moved_side(const Point3& a, const Point3& b, const Middle& p) {
 
 }  // namespace
 
-Crossing crossing_from_middle(const Triangle3& of, const Triangle3& t) {
+MiddleCrossing crossing_from_middle(const Triangle3& of, const Triangle3& t) {
   const Middle p(of);
   const auto x = [](const Point3& q) { return q.x; };
   const auto is_beside = [&](const auto& coordinate) {
@@ -91,14 +91,15 @@ Crossing crossing_from_middle(const Triangle3& of, const Triangle3& t) {
     return p.beyond(least, coordinate) == Sign::positive || p.beyond(most, coordinate) == Sign::negative;
   };
   if (is_beside([](const Point3& q) { return q.y; }) || is_beside([](const Point3& q) { return q.z; }))
-    return Crossing::none;
-  if (p.beyond(std::max({t.a.x, t.b.x, t.c.x}), x) == Sign::negative) return Crossing::none;
+    return MiddleCrossing::none;
+  if (p.beyond(std::max({t.a.x, t.b.x, t.c.x}), x) == Sign::negative) return MiddleCrossing::none;
   const bool beyond = p.beyond(std::min({t.a.x, t.b.x, t.c.x}), x) == Sign::positive;
   const Sign below = beyond ? Sign::zero : p.below(t);
-  if (!beyond && below == Sign::zero && is_on(t, p)) return Crossing::on_triangle;
+  if (!beyond && below == Sign::zero && is_on(t, p)) return MiddleCrossing::on_triangle;
   const Sign way = moved_side(t.a, t.b, p);
-  if (way == Sign::zero || moved_side(t.b, t.c, p) != way || moved_side(t.c, t.a, p) != way) return Crossing::none;
-  return beyond || below == way ? Crossing::crossed : Crossing::none;
+  if (way == Sign::zero || moved_side(t.b, t.c, p) != way || moved_side(t.c, t.a, p) != way)
+    return MiddleCrossing::none;
+  return beyond || below == way ? MiddleCrossing::crossed : MiddleCrossing::none;
 }
 
 }  // namespace plumb::surface

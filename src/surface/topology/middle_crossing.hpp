@@ -11,8 +11,8 @@
 
 namespace plumb::surface {
 
-enum class Crossing : unsigned char { none, crossed, on_triangle };
+enum class MiddleCrossing : unsigned char { none, crossed, on_triangle };
 
-Crossing crossing_from_middle(const Triangle3& of, const Triangle3& triangle);
+MiddleCrossing crossing_from_middle(const Triangle3& of, const Triangle3& triangle);
 
 }  // namespace plumb::surface

@@ -77,8 +77,8 @@ class Look {
       const Point3& p = mesh_.vertices[place.number];
       descend_along(place.shell, space::AlongX(bvh_.tree.frame, p), [&](const Triangle3& t) {
         query::Crossings one;
-        if (!one.take(t, p)) return Crossing::on_triangle;
-        return one.count != 0 ? Crossing::crossed : Crossing::none;
+        if (!one.take(t, p)) return MiddleCrossing::on_triangle;
+        return one.count != 0 ? MiddleCrossing::crossed : MiddleCrossing::none;
       });
     } else {
       const auto& [a, b, c] = mesh_.triangles[place.number];
@@ -102,9 +102,9 @@ class Look {
       for (std::uint32_t slot = first; slot < first + count; ++slot) {
         const std::uint32_t triangle = bvh_.number(slot), shell = found_.shell_of[triangle];
         if (shell == own || shell == no_shell || !found_.shells[shell].closed) continue;
-        const Crossing c = cross(bvh_.triangle(slot));
-        if (c == Crossing::on_triangle) on_.push_back(shell);
-        if (c == Crossing::crossed) crossed_.emplace_back(shell, triangle);
+        const MiddleCrossing c = cross(bvh_.triangle(slot));
+        if (c == MiddleCrossing::on_triangle) on_.push_back(shell);
+        if (c == MiddleCrossing::crossed) crossed_.emplace_back(shell, triangle);
       }
     });
   }

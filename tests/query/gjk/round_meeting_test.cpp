@@ -36,7 +36,7 @@ void ask(const A& a, const B& b, Seen& seen) {
     EXPECT_EQ(quick == Told::apart ? 1 : -1, gap);
   }
   GjkCache none;
-  EXPECT_EQ(met_at_once(p, q, none), gap > 0 ? Meeting::apart : gap == 0 ? Meeting::touch : Meeting::overlap);
+  EXPECT_EQ(met_at_once(p, q, none), gap > 0 ? MetAtOnce::apart : gap == 0 ? MetAtOnce::touch : MetAtOnce::overlap);
   EXPECT_EQ(static_cast<int>(plumb::relate(a, b)), -gap);
   EXPECT_EQ(gjk_intersects(a, b), gap <= 0);
   EXPECT_EQ(gjk_intersects(a, b, {.cache = &found}), gap <= 0);

@@ -18,13 +18,13 @@ namespace plumb {
 
 namespace query {
 
-struct MovingBody {
+struct SweptBody {
   BodyView body;
   Vector3 by;
 };
 
-bool moving_meet(const MovingBody& a, const MovingBody& b);
-double moving_apart_by(const MovingBody& a, const MovingBody& b);
+bool moving_meet(const SweptBody& a, const SweptBody& b);
+double moving_apart_by(const SweptBody& a, const SweptBody& b);
 
 }  // namespace query
 
