@@ -37,22 +37,22 @@ auto way_between(W& w, const std::array<GivenBox, 2>& box, const Axes& axes, con
       const auto middle = w.difference(box[i].middle[k].to, box[i].middle[k].from);
       return s.upper ? middle * one + l * x : middle * one - l * x;
     };
-    return parting::vec_of(along(0, up.x), along(1, up.y), along(2, up.z));
+    return vec_of(along(0, up.x), along(1, up.y), along(2, up.z));
   };
   const auto p = center_of(0), q = center_of(1);
-  return parting::vec_of(q.x - p.x, q.y - p.y, q.z - p.z);
+  return vec_of(q.x - p.x, q.y - p.y, q.z - p.z);
 }
 template <class W, class Axes, class Lengths>
 auto way_between(W& w, const std::array<PosedBox, 2>& box, const Axes& axes, const Lengths& length,
                  const std::array<FacingSide, 2>& side) {
-  const auto way = parting::middle_difference(w, box[1], box[0]);
+  const auto way = middle_difference(w, box[1], box[0]);
   const auto &p = axes[0][side[0].axis], &q = axes[1][side[1].axis];
   const auto &of_p = length[0][side[0].axis], &of_q = length[1][side[1].axis];
   const auto part = [&](const auto& x, const auto& u, const auto& v) {
     const auto to = side[1].upper ? x + of_q * v : x - of_q * v;
     return side[0].upper ? to - of_p * u : to + of_p * u;
   };
-  return parting::vec_of(part(way.x, p.x, q.x), part(way.y, p.y, q.y), part(way.z, p.z, q.z));
+  return vec_of(part(way.x, p.x, q.x), part(way.y, p.y, q.y), part(way.z, p.z, q.z));
 }
 
 template <class Box>
@@ -76,7 +76,6 @@ struct FacingSidesOf {
   template <class W, class Guess>
   Told operator()(W& w, const std::array<Box, 2>& box, const std::array<Level, 2>& level, const Vector3& u,
                   const Vector3& v, const Guess& guess) const {
-    using parting::vec_of, parting::tracked_cross, parting::tracked_dot;
     const auto numbers = [&](const Vector3& x) {
       return vec_of(w.template number<1>(x.x), w.template number<1>(x.y), w.template number<1>(x.z));
     };
@@ -84,7 +83,7 @@ struct FacingSidesOf {
     const auto of_box = [&](std::size_t i, auto f) { return std::array{f(box[i], 0), f(box[i], 1), f(box[i], 2)}; };
     const auto axes_of = [&](const Box& b, std::size_t k) { return numbers(b.axes[k]); };
     const auto length_of = [&](const Box& b, std::size_t k) {
-      return parting::length_beside(w, b.length[k], box[&b == box.data() ? 1 : 0]);
+      return length_beside(w, b.length[k], box[&b == box.data() ? 1 : 0]);
     };
     const std::array axes{of_box(0, axes_of), of_box(1, axes_of)};
     const std::array length{of_box(0, length_of), of_box(1, length_of)};

@@ -7,8 +7,10 @@
 #include "arith/sparse_vec.hpp"
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/short_dyadic.hpp"
+#include "plumb/certify/determinant_sign.hpp"
 #include "query/body/upright_box.hpp"
 #include "query/body/weighted_pose.hpp"
+#include "query/convex/parting_axes.hpp"
 
 namespace plumb::query {
 namespace {
@@ -37,7 +39,7 @@ std::optional<NamedBox> named_box(const FigureView& v) {
     return NamedBox{b.axes,
                     {{{b.half.x, b.half.x}, {b.half.y, b.half.y}, {b.half.z, b.half.z}}},
                     {{{c.x, c.x}, {c.y, c.y}, {c.z, c.z}}},
-                    false};
+                    b.axes == identity_pose.columns};
   }
   return {};
 }
@@ -165,6 +167,21 @@ bool are_solid_boxes(const TwoBoxes<Running>& two) {
   return sum.upper() - sum.upper() == 0;
 }
 
+/// Where its axes in space are doubles.
+std::optional<PosedBox> box_in_space(const NamedBox& box, const RigidPose& by) {
+  const auto turn = exact_matrix(by.turn);
+  if (!turn) return {};
+  const bool stands = turn->columns == identity_pose.columns;
+  if (!box.is_upright && !stands) return {};
+  PosedBox b{};
+  b.columns = turn->columns, b.weight = turn->weight, b.at = by.translation;
+  b.axes = box.is_upright ? turn->columns : box.axes;
+  for (std::size_t k = 0; k < 3; ++k) {
+    b.length[k] = {-box.length[k][0], box.length[k][1]}, b.local[k] = {-box.middle[k][0], box.middle[k][1]};
+  }
+  return b;
+}
+
 /// Nothing of other poses.
 const RigidPose* rigid_pose(const AnyPoseView& by) {
   static constexpr RigidPose none{};
@@ -205,10 +222,27 @@ std::optional<Relation> relate_turned_alike(const std::array<NamedBox, 2>& box, 
   return r;
 }
 
+std::optional<std::array<PosedBox, 2>> boxes_in_space(const std::array<NamedBox, 2>& box, const RigidPose& p,
+                                                      const RigidPose& q) {
+  const auto a = box_in_space(box[0], p);
+  if (!a) return {};
+  const auto b = box_in_space(box[1], q);
+  if (!b) return {};
+  return std::array{*a, *b};
+}
+/// Nothing where a gap is about zero.
+std::optional<Relation> relate_in_doubles(const std::array<PosedBox, 2>& box) {
+  FloatWorld<PartingAxes> world;
+  const auto r = PartingAxes{}(world, box[0], box[1]);
+  return world.certain() ? r : std::nullopt;
+}
+
 class BoxPair {
  public:
-  BoxPair(const std::array<NamedBox, 2>& box, const PosedView& a, const PosedView& b)
-      : box_(box), by_{a.pose, b.pose} {}
+  /// `in_space`: where all axes are doubles.
+  BoxPair(const std::array<NamedBox, 2>& box, const PosedView& a, const PosedView& b,
+          const std::optional<std::array<PosedBox, 2>>& in_space)
+      : box_(box), by_{a.pose, b.pose}, in_space_(in_space) {}
 
   std::optional<Relation> relation() {
     if (!are_solid_boxes(near_)) return {};
@@ -230,10 +264,22 @@ class BoxPair {
     const Vec3<Running> n = across_axes(near_, of);
     const int quick = certain_sign(gap_along(near_, n, of));
     if (quick != 0) return quick > 0;
-    if (is_zero_vector(n) || (level_ && is_zero_vector(sparse_cross(n, *level_)))) return false;
+    if (is_zero_vector(n) || (level_ && is_along_level(of, n))) return false;
     const Sign gap = exact_gap(of);
-    if (gap == Sign::zero) level_ = n;
+    if (gap == Sign::zero) level_.emplace(Level{of, n});
     return gap == Sign::positive;
+  }
+  /// As far as it is known; also where the two axes are one.
+  bool is_along_level(const AxisPair& of, const Vec3<Running>& n) const {
+    if (!in_space_) return is_zero_vector(sparse_cross(n, level_->normal));
+    const auto row = [&](std::size_t k) {
+      const Vector3& v = (*in_space_)[k / 3].axes[k % 3];
+      return std::array{v.x, v.y, v.z};
+    };
+    const auto leads = [&](std::size_t k) {
+      return determinant_sign({row(level_->of.first), row(level_->of.second), row(k)}) != Sign::zero;
+    };
+    return !leads(of.first) && !leads(of.second);
   }
   /// Negative also where the two axes are one.
   Sign exact_gap(const AxisPair& of) {
@@ -249,9 +295,14 @@ class BoxPair {
 
   const std::array<NamedBox, 2>& box_;
   std::array<AnyPoseView, 2> by_;
+  const std::optional<std::array<PosedBox, 2>>& in_space_;
   TwoBoxes<Running> near_ = as_space_sees<Running>(box_, by_);
   std::optional<TwoBoxes<ShortDyadic>> short_;
-  std::optional<Vec3<Running>> level_;
+  struct Level {
+    AxisPair of;
+    Vec3<Running> normal;
+  };
+  std::optional<Level> level_;
 };
 
 }  // namespace
@@ -269,7 +320,12 @@ std::optional<Relation> relate_posed_boxes(const PosedView& a, const PosedView& 
   if (p != nullptr && q != nullptr && p->turn == q->turn && box[0].is_upright && box[1].is_upright) {
     if (const auto r = relate_turned_alike(box, *p, *q)) return r;
   }
-  return BoxPair(box, a, b).relation();
+  std::optional<std::array<PosedBox, 2>> in_space;
+  if (p != nullptr && q != nullptr) in_space = boxes_in_space(box, *p, *q);
+  if (in_space) {
+    if (const auto r = relate_in_doubles(*in_space)) return r;
+  }
+  return BoxPair(box, a, b, in_space).relation();
 }
 
 }  // namespace plumb::query

@@ -5,8 +5,9 @@
 // another, their own three axes are all there are.
 // Laws: an answer is that of real arithmetic.  Nothing is answered of other figures, of boxes without an inside, and of
 // what is not finite.
-// Method: each axis over doubles with a running bound of their errors, in integers where they leave a doubt; not where it
-// is the axis along which the boxes touch already.
+// Method: all axes over doubles whose errors are derived, where the boxes' own are doubles (query/convex/parting_axes.hpp);
+// where a gap is about zero each axis over doubles with a running bound of their errors, in integers where they leave a
+// doubt; not where it is the axis along which the boxes touch already.
 // Source: Gottschalk, Lin and Manocha 1996; RTCD 4.4.1.
 // Cost: a us where they touch and no turn is the same, a third of that else.
 #pragma once

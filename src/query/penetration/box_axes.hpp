@@ -16,64 +16,12 @@
 
 #include "plumb/arith/interval.hpp"
 #include "plumb/certify/certainly.hpp"
+#include "query/convex/box_parts.hpp"
 #include "query/separation/corners.hpp"
 
 namespace plumb::query::parting {
 
 using arith::Vec;
-
-template <class T>
-Vec<T> vec_of(const T& x, const T& y, const T& z) {
-  return {x, y, z};
-}
-/// Numbers may have their errors in their types, which are not those of their products.
-template <class S, class T>
-auto tracked_cross(const Vec<S>& u, const Vec<T>& v) {
-  return vec_of(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
-}
-template <class S, class T>
-auto tracked_dot(const Vec<S>& u, const Vec<T>& v) {
-  return u.x * v.x + u.y * v.y + u.z * v.z;
-}
-
-/// The length of an edge of a box beside another: under poses everything is times both weights.
-template <class W>
-auto length_beside(W& w, const GivenBox::Ends& e, const GivenBox&) {
-  return w.difference(e.to, e.from);
-}
-template <class W>
-auto length_beside(W& w, const GivenBox::Ends& e, const PosedBox& beside) {
-  return w.difference(e.to, e.from) * w.template number<1>(beside.weight);
-}
-/// Twice the middle of p less that of q.
-template <class W>
-auto middle_difference(W& w, const GivenBox& p, const GivenBox& q) {
-  const auto one = w.template number<1>(1);
-  const auto part = [&](std::size_t k) {
-    return (w.difference(p.middle[k].to, p.middle[k].from) - w.difference(q.middle[k].to, q.middle[k].from)) * one;
-  };
-  return vec_of(part(0), part(1), part(2));
-}
-template <class W>
-auto middle_difference(W& w, const PosedBox& p, const PosedBox& q) {
-  const auto of_p = w.template number<1>(p.weight), of_q = w.template number<1>(q.weight);
-  const auto turned = [&](const PosedBox& b) {
-    const auto ends = [&](std::size_t k) { return w.difference(b.local[k].to, b.local[k].from); };
-    const auto x = ends(0), y = ends(1), z = ends(2);
-    const auto row = [&](double u, double v, double t) {
-      return w.template number<1>(u) * x + w.template number<1>(v) * y + w.template number<1>(t) * z;
-    };
-    const auto& [u, v, t] = b.columns;
-    return vec_of(row(u.x, v.x, t.x), row(u.y, v.y, t.y), row(u.z, v.z, t.z));
-  };
-  const auto first = turned(p), second = turned(q);
-  const auto part = [&](double to, double from, const auto& x, const auto& y) {
-    const auto way = w.difference(to, from) * of_p;
-    return (way + way) * of_q + (x * of_q - y * of_p);
-  };
-  return vec_of(part(p.at.x, q.at.x, first.x, second.x), part(p.at.y, q.at.y, first.y, second.y),
-                part(p.at.z, q.at.z, first.z, second.z));
-}
 
 /// How far boxes overlap, and as a guess its square with its sign.
 template <class T>
@@ -102,17 +50,6 @@ struct NearAxesOf {
     friend bool operator==(const Told&, const Told&) = default;
   };
 
-  /// The entry 6 i + j holds the four axes that are neither i nor j.
-  static constexpr auto others = [] {
-    std::array<std::array<std::uint8_t, 4>, 36> all{};
-    for (std::size_t of = 0; of < 36; ++of) {
-      for (std::uint8_t k = 0, size = 0; k < 6 && size < 4; ++k) {
-        if (k != of / 6 && k != of % 6) all[of][size++] = k;
-      }
-    }
-    return all;
-  }();
-
   /// Among these, up to fifteen, `pick(overlaps, lengths)` guesses the least, by the overlaps' squares with their sign and
   /// the squares of the normals' lengths, optional numbers all; it may be any.
   template <class W, class Pick>
@@ -128,7 +65,7 @@ struct NearAxesOf {
     const std::array s{length(0), length(1), length(2), length(3), length(4), length(5)};
     const auto c = middle_difference(w, a, b);
     const auto overlap_along = [&](const Pair& of, const auto& n, const auto& m) {
-      const std::array<std::uint8_t, 4>& other = others[6 * of[0] + of[1]];
+      const std::array<std::uint8_t, 4>& other = axes_beside[6 * of[0] + of[1]];
       const auto reach = [&](std::size_t k) { return magnitude(tracked_dot(n, g[other[k]])) * s[other[k]]; };
       return ((reach(0) + reach(1)) + (reach(2) + reach(3))) - magnitude(m);
     };

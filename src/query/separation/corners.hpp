@@ -22,7 +22,7 @@
 #include "query/body/weighted_pose.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
-#include "query/separation/given_box.hpp"
+#include "query/convex/given_box.hpp"
 
 namespace plumb::query {
 

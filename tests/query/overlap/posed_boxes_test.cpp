@@ -11,6 +11,7 @@
 
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/query.hpp"
+#include "query/convex/parting_axes.hpp"
 #include "query/overlap/rational_relation.hpp"
 
 namespace plumb {
@@ -119,6 +120,45 @@ TEST(PosedBoxes, LieAsARationalProgramSays) {
   for (const int n : counts.relations) EXPECT_GT(n, 150);
   EXPECT_GT(counts.left, 50);
   EXPECT_LT(counts.left, 1000);
+}
+
+/// In space, where the turn's matrix is one of doubles.
+query::PosedBox in_space(const Posed<Aabb3, RigidPose>& box) {
+  const auto& [low, high] = box.shape;
+  const TurnMatrix turn = exact_matrix(box.pose.turn).value();
+  return {.axes = turn.columns,
+          .columns = turn.columns,
+          .length = {{{low.x, high.x}, {low.y, high.y}, {low.z, high.z}}},
+          .local = {{{-low.x, high.x}, {-low.y, high.y}, {-low.z, high.z}}},
+          .at = box.pose.translation,
+          .weight = turn.weight};
+}
+
+// What doubles tell of fifteen axes is what rational numbers tell; they leave what touches, and little else.
+TEST(PosedBoxes, AxesOverDoublesAreThoseOfRationalNumbers) {
+  int told = 0, left = 0, touching = 0;
+  for (std::uint64_t run = 0; run < 600; ++run) {
+    Entropy e(4301, run);
+    const bool is_long = run % 2 == 0;
+    const auto part = [&] { return 0x1p-25 * double(e.bits(26)) - 1; };
+    const auto turn = [&] { return is_long ? Rotation{1, part(), part(), part()} : drawn_turn(e, false); };
+    const auto at = [&] { return Vector3{coordinate(e, is_long), coordinate(e, is_long), coordinate(e, is_long)}; };
+    const Posed a{drawn_box(e, is_long), RigidPose{turn(), at()}};
+    Posed b{drawn_box(e, is_long), RigidPose{e.below(4) == 0 ? a.pose.turn : turn(), at()}};
+    if (e.below(4) == 0) b.pose.translation = to_rest(a, b.shape);
+    FloatWorld<query::PartingAxes> floats;
+    RationalWorld rationals;
+    const auto quick = query::PartingAxes{}(floats, in_space(a), in_space(b));
+    const auto exact = query::PartingAxes{}(rationals, in_space(a), in_space(b));
+    ASSERT_TRUE(floats.certain()) << "replay: Entropy(4301, " << run << ")";
+    if (quick) {
+      EXPECT_EQ(quick, exact) << "replay: Entropy(4301, " << run << ")";
+    }
+    ++(quick ? told : exact ? left : touching);
+  }
+  std::printf("%d told, %d left though apart or overlapping, %d touch or are flat\n", told, left, touching);
+  EXPECT_GT(told, 10 * left);
+  EXPECT_GT(touching, 20);
 }
 
 // A tower that leans.
