@@ -22,10 +22,18 @@ parting::CoreDistance core_distance(const Difference& d, DifferenceCorners guess
   return parting::core_distance(d);
 }
 
-Aim aim_of(const parting::Parting& p) { return {p.way, p.way.from(), p.cores_are_apart, {}, p.level}; }
+Aim aim_of(const parting::Parting& p) {
+  return {.way = p.way, .at = p.way.from(), .are_apart = p.cores_are_apart, .all = p.level, .do_touch = p.cores_touch};
+}
 Aim aim_of(const parting::SumParting& s) {
   const bool are_apart = s.known == parting::SumParting::Known::apart;
-  return {s.parting->way, {s.level[0].first, s.level[1].first}, are_apart, s.level, {}, !are_apart, s.is_widest};
+  return {.way = s.parting->way,
+          .at = {s.level[0].first, s.level[1].first},
+          .are_apart = are_apart,
+          .level = s.level,
+          .is_proved = !are_apart,
+          .is_widest = s.is_widest,
+          .do_touch = s.parting->cores_touch};
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ struct Aim {
   std::optional<std::array<parting::SumLevel, 2>> level{};
   std::optional<std::array<parting::LevelCorners, 2>> all{};
   bool is_proved = true, is_widest = true;  // no other plane has a wider gap
+  bool do_touch = false;                    // the cores, for certain
 };
 
 /// May the answer be a plane between sums of edges that are apart, and which one?

@@ -59,6 +59,7 @@ class Pair {
 
   void aim(Guess guess, ContactCache* cache) { take(aim_at(difference(), guess, cache)); }
   [[nodiscard]] bool is_proved() const { return aim_->is_proved; }
+  [[nodiscard]] bool do_cores_touch() const { return aim_->do_touch; }
   /// Another one, where this one is none.
   void aim_again(ContactCache* cache) {
     const Guess guess = is_as_before_ ? Guess::likely : aim_->is_widest ? Guess::none : Guess::widest;

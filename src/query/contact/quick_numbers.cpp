@@ -138,17 +138,18 @@ PLUMB_WITH_FMA void corners_fused(const ToldByPairs& by_pairs, const Pair& p, co
 std::optional<Whole> QuickNumbers::whole() const {
   if (!pair_.radii().are_doubles()) return {};
   Open open = Open::distance;
-  std::optional<Ball> height;
+  const bool do_touch = pair_.do_cores_touch();
+  std::optional<Ball> height = do_touch ? std::optional(Ball(0.0)) : std::nullopt;
   const auto known = [&] { return height ? &*height : nullptr; };
   const auto by_pairs = [&] { return has_fma ? whole_fused(pair_, by_pairs_, open, known()) : std::nullopt; };
   if (const auto told = by_pairs()) return told;
-  if (open == Open::distance) {
+  if (open == Open::distance && !do_touch) {
     height = height_along_axis(pair_);
     const auto weights = height ? std::nullopt : weights_of(pair_);
     if (weights) height = by_integers([&] { return pair_.height(pair_.normal<StackDyadic>()); });
     if (weights && height) height = unweighted(*height, *weights);
   }
-  std::optional<Whole> told = height ? by_pairs() : std::nullopt;
+  std::optional<Whole> told = height && !do_touch ? by_pairs() : std::nullopt;
   if (!told) told = whole_by_balls(pair_, open, known());
   if (told) told->is_by_integers = height.has_value();
   return told;

@@ -353,11 +353,14 @@ SumParting told_of(const EdgeSum& sum, const Least& least) {
   };
   const auto u = axis(p), v = axis(q);
   const Way way = u && v ? across(up ? *u : *v, up ? *v : *u, facet.points[0]) : Way::through(facet.points);
-  return {.known = are_apart ? SumParting::Known::apart : SumParting::Known::parting,
-          .parting = Parting{way, are_apart, true},
-          .level = facet.level,
-          .is_widest = least.is_widest,
-          .edges = SumFacetEdges{{{p.body, p.bit}, {q.body, q.bit}}}};
+  return {
+      .known = are_apart ? SumParting::Known::apart : SumParting::Known::parting,
+      .parting =
+          Parting{
+              .way = way, .cores_are_apart = are_apart, .is_unique = true, .cores_touch = signs.overlap == Sign::zero},
+      .level = facet.level,
+      .is_widest = least.is_widest,
+      .edges = SumFacetEdges{{{p.body, p.bit}, {q.body, q.bit}}}};
 }
 
 /// A guess in doubles: along which normal boxes overlap least, which is one of edges that are not nearly parallel.  Of
@@ -422,7 +425,9 @@ std::optional<SumParting> quick_boxes(const EdgeSum& sum, Gap gap) {
   const auto signs_at = [&](std::uint32_t i) {
     RoughSigns rough = i == told.picked ? of_picked : RoughSigns();
     if (fine && i == of_fine) boxes->fill(rough, *fine);
-    return signs_of(i, c.of[i], rough, boxes->along_space(all[i]), axes);
+    const auto along_space = boxes->along_space(all[i]);
+    if (!along_space && boxes->lacks(rough, c.of[i])) boxes->settle(rough, c.of[i]);
+    return signs_of(i, c.of[i], rough, along_space, axes);
   };
   const auto quick_order = [&](std::uint32_t i, std::size_t k) {
     return fine && i == of_fine ? fine->order[k + 1] : Sign::zero;

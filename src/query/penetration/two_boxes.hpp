@@ -7,6 +7,7 @@
 #pragma once
 
 #include "arith/sparse_vec.hpp"
+#include "plumb/certify/determinant_sign.hpp"
 #include "query/penetration/edge_sum.hpp"
 #include "query/penetration/near_axes.hpp"
 
@@ -92,6 +93,17 @@ class Boxes {
     take(rough.overlap, fine.overlap), take(rough.middle, fine.middle);
     for (std::uint32_t g = 0; g < sum_.groups(); ++g) take(rough.along[g], fine.along[first_[g]]);
   }
+  /// And with what doubles left open: what leads where is a determinant, and where that and the middle are known how far the
+  /// boxes overlap is one as well.
+  void settle(RoughSigns& rough, const std::array<std::uint32_t, 2>& of) const {
+    const auto row = [](const Vector3& v) { return std::array{v.x, v.y, v.z}; };
+    const Vector3 &u = axis(first_[of[0]]), &v = axis(first_[of[1]]);
+    for (std::uint32_t g = 0; g < sum_.groups(); ++g) {
+      if (g == of[0] || g == of[1] || rough.along[g]) continue;
+      rough.along[g] = determinant_sign({row(u), row(v), row(axis(first_[g]))});
+    }
+    if (!rough.overlap && rough.middle) rough.overlap = exact_overlap(rough, of);
+  }
   /// The square of what two edges span, from that of their axes.
   [[nodiscard]] double area(const NearAxes::Pair& p, double of_axes) const {
     const auto length = [&](std::uint32_t k) {
@@ -104,6 +116,26 @@ class Boxes {
 
  private:
   Boxes(const EdgeSum& sum, const Box& a, const Box& b) : sum_(sum), a_(a), b_(b) {}
+
+  /// The way from the middle to what is farthest along n, times n; nothing where integers of the stack do not hold it.
+  [[nodiscard]] std::optional<Sign> exact_overlap(const RoughSigns& rough,
+                                                  const std::array<std::uint32_t, 2>& of) const {
+    IntegerWorld w;
+    const auto vector = [&](const Vector3& v) { return vec_of(w.number(v.x), w.number(v.y), w.number(v.z)); };
+    const auto c = middle_difference(w, a_, b_);
+    auto far = *rough.middle == Sign::positive ? Vec<StackDyadic>{negated(c.x), negated(c.y), negated(c.z)} : c;
+    for (const SumEdge& e : sum_.edges()) {
+      const Sign along = e.group == of[0] || e.group == of[1] ? Sign::zero : *rough.along[e.group];
+      if (along == Sign::zero) continue;
+      const std::uint32_t k = 3 * e.body + e.bit;
+      const auto length = e.body == 0 ? length_beside(w, a_.length[e.bit], b_) : length_beside(w, b_.length[e.bit], a_);
+      const auto edge = vector(axis(k)) * length;
+      far = (along == Sign::positive) == !e.against ? far + edge : far - edge;
+    }
+    const auto overlap = arith::dot(arith::cross(vector(axis(first_[of[0]])), vector(axis(first_[of[1]]))), far);
+    const Sign s = w.sign(overlap);
+    return w.certain() ? std::optional(s) : std::nullopt;
+  }
 
   const EdgeSum& sum_;
   Box a_, b_;
