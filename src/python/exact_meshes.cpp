@@ -1,6 +1,7 @@
 // Solids whose corners are exact: they go from operation to operation, and are rounded where the chain ends.
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "plumb/surface/solid/exact_mesh.hpp"
@@ -83,6 +84,11 @@ std::shared_ptr<ExactMesh> mesh_of_state(const py::tuple& state) {
   }
   mesh->triangles = items_of<TriangleMesh::Triangle>(state[1]);
   mesh->sources = items_of<SourceFace>(state[2]);
+  const auto is_vertex = [n = mesh->vertices.size()](std::uint32_t v) { return v < n; };
+  const bool are_faces = std::all_of(mesh->triangles.begin(), mesh->triangles.end(),
+                                     [&](const auto& t) { return std::all_of(t.begin(), t.end(), is_vertex); });
+  if (!are_faces || mesh->sources.size() != mesh->triangles.size())
+    throw py::value_error("ExactMesh: what was pickled has faces without a vertex or a source");
   return mesh;
 }
 

@@ -85,6 +85,8 @@ def test_a_mesh_and_an_exact_one_go_together():
             wrong()
     with pytest.raises(ValueError, match="turn"):
         plumb.ExactMesh(a, turn=[0, 0, 0, 0])
+    with pytest.raises(ValueError, match="pickled"):
+        plumb.ExactMesh.__new__(plumb.ExactMesh).__setstate__(([(0.0, 0.0, 0.0)], [[0, 0, 1]], [[0, 0]]))
     with pytest.raises(ValueError, match="edge"):
         plumb.unite(plumb.ExactMesh(plumb.Mesh(a.vertices, a.faces[1:])), b)
 
