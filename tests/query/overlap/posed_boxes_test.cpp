@@ -141,7 +141,11 @@ TEST(PosedBoxes, AxesOverDoublesAreThoseOfRationalNumbers) {
     Entropy e(4301, run);
     const bool is_long = run % 2 == 0;
     const auto part = [&] { return 0x1p-25 * double(e.bits(26)) - 1; };
-    const auto turn = [&] { return is_long ? Rotation{1, part(), part(), part()} : drawn_turn(e, false); };
+    const auto turn = [&] {
+      if (is_long) return Rotation{1, part(), part(), part()};
+      const auto [w, x, y, z] = drawn_turn(e, false);
+      return Rotation{0.25 * w, 0.25 * x, 0.25 * y, 0.25 * z};  // short enough for a matrix of doubles
+    };
     const auto at = [&] { return Vector3{coordinate(e, is_long), coordinate(e, is_long), coordinate(e, is_long)}; };
     const Posed a{drawn_box(e, is_long), RigidPose{turn(), at()}};
     Posed b{drawn_box(e, is_long), RigidPose{e.below(4) == 0 ? a.pose.turn : turn(), at()}};
