@@ -223,7 +223,7 @@ inline const CostRow rows_of_figures[]{
        (void)maximize(objective, linear_system(halfspaces(c.a)));
      }},
     {"solve_by_elimination", "query/lp/elimination.hpp", quartic, 100,
-     [](const Cloud& c) { (void)solve_by_elimination(linear_system(halfspaces(c.a))); }, 18, 4, 12},
+     [](const Cloud& c) { (void)solve_by_elimination(linear_system(halfspaces(c.a))); }, 18, 4, 18, 4},
     {"nearest_feasible", "query/lp/nearest_feasible.hpp", linear, 100,
      [](const Cloud& c) { (void)nearest_feasible(c.b[0], halfspaces(c.a)); }},
     {"greatest_margin", "query/lp/greatest_margin.hpp", quadratic, 50,
