@@ -2,6 +2,7 @@
 #include "plumb/space/pairs/neighbors.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "plumb/predicates.hpp"
 #include "plumb/query/overlap/overlap.hpp"
@@ -20,10 +21,9 @@ struct Told {
   bool repeats = false;    // has an index twice
 };
 
-Told told(const Corners& t, const Corners& other) {
-  Told r{};
+Told told_of_repeated(const Corners& t, const Corners& other) {
+  Told r{{}, 0, true};
   const auto is_shared = [&](std::uint32_t i) { return i == other[0] || i == other[1] || i == other[2]; };
-  r.repeats = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
   for (const std::uint32_t i : t) {
     const auto end = r.corner.begin() + static_cast<std::ptrdiff_t>(r.shared);
     if (is_shared(i) && std::find(r.corner.begin(), end, i) == end) r.corner[r.shared++] = i;
@@ -33,6 +33,21 @@ Told told(const Corners& t, const Corners& other) {
     if (!is_shared(i) && next < 3) r.corner[next++] = i;
   }
   return r;
+}
+
+// Most pairs that a search asks about are neighbors, so that this has no branch but one.
+Told told(const Corners& t, const Corners& other) {
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) [[unlikely]]
+    return told_of_repeated(t, other);
+  const auto bit = [&](std::size_t k) {
+    return static_cast<unsigned>(t[k] == other[0]) | static_cast<unsigned>(t[k] == other[1]) |
+           static_cast<unsigned>(t[k] == other[2]);
+  };
+  const unsigned shared = bit(0) | bit(1) << 1 | bit(2) << 2;
+  static constexpr std::uint8_t shared_first[8][3] = {{0, 1, 2}, {0, 1, 2}, {1, 0, 2}, {0, 1, 2},
+                                                      {2, 0, 1}, {0, 2, 1}, {1, 2, 0}, {0, 1, 2}};
+  const auto& order = shared_first[shared];
+  return {{t[order[0]], t[order[1]], t[order[2]]}, static_cast<std::size_t>(std::popcount(shared)), false};
 }
 
 Triangle3 triangle_of(std::span<const Point3> v, const Corners& t) { return {v[t[0]], v[t[1]], v[t[2]]}; }
@@ -94,9 +109,8 @@ Relation relate_in_mesh(std::span<const Point3> vertices, const std::array<std::
                         const std::array<std::uint32_t, 3>& b) {
   using namespace space;
   const Told s = told(a, b);
-  const Triangle3 whole_a = triangle_of(vertices, a), whole_b = triangle_of(vertices, b);
-  if (s.shared == 0) return relate(whole_a, whole_b);
-  if (s.shared == 3) return relate(whole_a, whole_b);
+  const auto whole = [&] { return relate(triangle_of(vertices, a), triangle_of(vertices, b)); };
+  if (s.shared == 0 || s.shared == 3) return whole();
   const Told t = told(b, a);
   const std::span<const std::uint32_t> shared(s.corner.data(), s.shared);
   bool more = false;
@@ -104,14 +118,15 @@ Relation relate_in_mesh(std::span<const Point3> vertices, const std::array<std::
     const auto all_in = [](const Corners& of, const Corners& other) {
       return std::ranges::all_of(of, [&](std::uint32_t i) { return std::ranges::find(other, i) != other.end(); });
     };
-    more = (all_in(a, b) && all_in(b, a)) || more_by_construction(whole_a, whole_b, shared, vertices);
+    more = (all_in(a, b) && all_in(b, a)) ||
+           more_by_construction(triangle_of(vertices, a), triangle_of(vertices, b), shared, vertices);
   } else {
     // The shared corners in one order on both sides.
     const Corners like_s = {s.corner[0], s.shared == 2 ? s.corner[1] : t.corner[1], t.corner[2]};
     const auto ask = s.shared == 1 ? more_than_vertex : more_than_edge;
     more = ask(triangle_of(vertices, s.corner), triangle_of(vertices, like_s), shared, vertices);
   }
-  return more ? relate(whole_a, whole_b) : Relation::disjoint;
+  return more ? whole() : Relation::disjoint;
 }
 
 }  // namespace plumb
