@@ -23,7 +23,8 @@ FacetList divide_planes(const FacePool& pool, PointTable& table, const PlaneClas
     const PlaneView view(pool.points(), pool.mesh.triangles[of.faces.front()]);
     const auto plane = static_cast<std::uint32_t>(list.planes.size());
     list.planes.push_back(view.plane());
-    for (const PlanePiece& piece : divide_plane(pool, table, of, view)) add(piece.corners, plane, piece.covers);
+    const PlanePieces divided = divide_plane(pool, table, of, view);
+    for (const PlanePiece& piece : divided.pieces) add(piece.corners, plane, piece.covers);
   }
   return list;
 }

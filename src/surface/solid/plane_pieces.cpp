@@ -14,7 +14,7 @@ class PlaneDivider {
   PlaneDivider(const FacePool& pool, PointTable& table, const PlaneClass& of, const PlaneView& view)
       : pool_(pool), of_(of), view_(view), points_(table, view) {}
 
-  std::vector<PlanePiece> run() {
+  PlanePieces run() {
     collect_segments();
     const auto along = points_along(points_, segments_);
     rank_points();
@@ -24,19 +24,23 @@ class PlaneDivider {
       for (std::size_t k = 1; k < a.size(); ++k) pieces.push_back({rank_[a[k - 1]], rank_[a[k]]});
     (void)made.constrain(pieces);  // which meet in their ends only
     const Triangles& t = made.triangles();
-    std::vector<std::vector<CoveringFace>> covers(t.end() / 4);
+    PlanePieces result;
+    std::vector<std::uint32_t> first_cover;  // of each triangle, where several faces may cover it
     if (of_.faces.size() == 1) {
-      for (auto& c : covers) c.push_back({of_.faces[0], is_opposite_[0]});
+      result.covers.push_back({of_.faces[0], is_opposite_[0]});
     } else {
-      cover(made, along, covers);
+      result.covers = in_order_of_triangles(cover(made, along), t.end() / 4, first_cover);
     }
-    std::vector<PlanePiece> result;
+    const std::span<const CoveringFace> all(result.covers);
     for (HalfEdge first = 0; first < t.end(); first += 4) {
-      if (t.is_ghost(first) || covers[first / 4].empty()) continue;
-      PlanePiece piece{{}, std::move(covers[first / 4])};
+      if (t.is_ghost(first)) continue;
+      const std::size_t at = first / 4;
+      PlanePiece piece{{},
+                       first_cover.empty() ? all : all.subspan(first_cover[at], first_cover[at + 1] - first_cover[at])};
+      if (piece.covers.empty()) continue;
       for (HalfEdge k = 0; k < 3; ++k)
         piece.corners[k] = points_.number_in_table(of_rank_[made.points().label(t.origin(first + k))]);
-      result.push_back(std::move(piece));
+      result.pieces.push_back(piece);
     }
     return result;
   }
@@ -89,9 +93,26 @@ class PlaneDivider {
     }
   }
 
-  // From the pieces of each face's edges inward, as far as these.
-  void cover(const Triangulator<ExactPoints>& made, const std::vector<std::vector<std::uint32_t>>& along,
-             std::vector<std::vector<CoveringFace>>& covers) const {
+  struct CoveredTriangle {
+    HalfEdge triangle;  // its first half-edge / 4
+    CoveringFace by;
+  };
+
+  static std::vector<CoveringFace> in_order_of_triangles(const std::vector<CoveredTriangle>& covered, std::size_t count,
+                                                         std::vector<std::uint32_t>& first_cover) {
+    first_cover.assign(count + 1, 0);
+    for (const CoveredTriangle& c : covered) ++first_cover[c.triangle + 1];
+    for (std::size_t t = 1; t <= count; ++t) first_cover[t] += first_cover[t - 1];
+    std::vector<std::uint32_t> next = first_cover;
+    std::vector<CoveringFace> covers(covered.size());
+    for (const CoveredTriangle& c : covered) covers[next[c.triangle]++] = c.by;
+    return covers;
+  }
+
+  // From the pieces of each face's edges inward, as far as these; faces ascend.
+  [[nodiscard]] std::vector<CoveredTriangle> cover(const Triangulator<ExactPoints>& made,
+                                                   const std::vector<std::vector<std::uint32_t>>& along) const {
+    std::vector<CoveredTriangle> covered;
     const Triangles& t = made.triangles();
     std::unordered_map<std::uint64_t, HalfEdge> edge_at;
     const auto key = [](std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32 | b; };
@@ -118,11 +139,12 @@ class PlaneDivider {
         pending.pop_back();
         if (visited[first / 4] == i) continue;
         visited[first / 4] = i;
-        covers[first / 4].push_back(by);
+        covered.push_back({first / 4, by});
         for (HalfEdge e = first; e < first + 3; ++e)
           if (edge_of[e] != i) pending.push_back(Triangles::first_of(t.twin(e)));
       }
     }
+    return covered;
   }
 
   const FacePool& pool_;
@@ -142,8 +164,7 @@ class PlaneDivider {
 
 }  // namespace
 
-std::vector<PlanePiece> divide_plane(const FacePool& pool, PointTable& table, const PlaneClass& of,
-                                     const PlaneView& view) {
+PlanePieces divide_plane(const FacePool& pool, PointTable& table, const PlaneClass& of, const PlaneView& view) {
   return PlaneDivider(pool, table, of, view).run();
 }
 

@@ -8,6 +8,7 @@
 // Cost: pairs of segments whose boxes meet, n log n for the pieces, and each face's pieces.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "surface/solid/plane_classes.hpp"
@@ -22,11 +23,15 @@ struct CoveringFace {
 
 struct PlanePiece {
   TriangleMesh::Triangle corners;  // numbers in the table
-  std::vector<CoveringFace> covers;
+  std::span<const CoveringFace> covers;
+};
+
+struct PlanePieces {
+  std::vector<PlanePiece> pieces;
+  std::vector<CoveringFace> covers;  // that pieces refer to
 };
 
 /// Puts the points where segments cross in the table.
-std::vector<PlanePiece> divide_plane(const FacePool& pool, PointTable& table, const PlaneClass& of,
-                                     const PlaneView& view);
+PlanePieces divide_plane(const FacePool& pool, PointTable& table, const PlaneClass& of, const PlaneView& view);
 
 }  // namespace plumb::surface

@@ -67,7 +67,8 @@ TEST(PlanePieces, AreCoveredByTheFacesAroundTheirMiddles) {
     for (const std::uint32_t face : classes.whole) left[face] = 0;
     for (const PlaneClass& of : classes.cut) {
       const PlaneView view(pool.points(), pool.mesh.triangles[of.faces.front()]);
-      for (const PlanePiece& piece : surface::divide_plane(pool, table, of, view)) {
+      const surface::PlanePieces divided = surface::divide_plane(pool, table, of, view);
+      for (const PlanePiece& piece : divided.pieces) {
         std::array<RationalPoint3, 3> t;
         for (std::size_t k = 0; k < 3; ++k) t[k] = rational_point(table.points().at(piece.corners[k]));
         const Rational third(1, 3);
