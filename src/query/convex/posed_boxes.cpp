@@ -8,9 +8,9 @@
 #include "plumb/arith/big.hpp"
 #include "plumb/arith/short_dyadic.hpp"
 #include "plumb/certify/determinant_sign.hpp"
+#include "query/body/parting_axes.hpp"
 #include "query/body/upright_box.hpp"
 #include "query/body/weighted_pose.hpp"
-#include "query/convex/parting_axes.hpp"
 
 namespace plumb::query {
 namespace {

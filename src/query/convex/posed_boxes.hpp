@@ -5,7 +5,7 @@
 // another, their own three axes are all there are.
 // Laws: an answer is that of real arithmetic.  Nothing is answered of other figures, of boxes without an inside, and of
 // what is not finite.
-// Method: all axes over doubles whose errors are derived, where the boxes' own are doubles (query/convex/parting_axes.hpp);
+// Method: all axes over doubles whose errors are derived, where the boxes' own are doubles (query/body/parting_axes.hpp);
 // where a gap is about zero each axis over doubles with a running bound of their errors, in integers where they leave a
 // doubt; not where it is the axis along which the boxes touch already.
 // Source: Gottschalk, Lin and Manocha 1996; RTCD 4.4.1.

@@ -16,7 +16,7 @@
 
 #include "plumb/arith/interval.hpp"
 #include "plumb/certify/certainly.hpp"
-#include "query/convex/box_parts.hpp"
+#include "query/body/box_parts.hpp"
 #include "query/separation/corners.hpp"
 
 namespace plumb::query::parting {

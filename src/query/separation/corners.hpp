@@ -19,10 +19,10 @@
 #include "arith/vec.hpp"
 #include "plumb/arith/ball.hpp"
 #include "plumb/query/separation/convex_body.hpp"
+#include "query/body/given_box.hpp"
 #include "query/body/weighted_pose.hpp"
 #include "query/convex/exact_map.hpp"
 #include "query/convex/flat_view.hpp"
-#include "query/convex/given_box.hpp"
 
 namespace plumb::query {
 

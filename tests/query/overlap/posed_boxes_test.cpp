@@ -11,7 +11,7 @@
 
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/query.hpp"
-#include "query/convex/parting_axes.hpp"
+#include "query/body/parting_axes.hpp"
 #include "query/overlap/rational_relation.hpp"
 
 namespace plumb {

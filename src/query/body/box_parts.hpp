@@ -2,14 +2,14 @@
 // their middles?
 //
 // Laws: everything is times two; of boxes under poses it is times both weights as well.
-// Source: RTCD 4.4.1; query/convex/given_box.hpp.
+// Source: RTCD 4.4.1; query/body/given_box.hpp.
 // Cost: some 60 operations for the way under poses.
 #pragma once
 
 #include <cstdint>
 
 #include "arith/vec.hpp"
-#include "query/convex/given_box.hpp"
+#include "query/body/given_box.hpp"
 
 namespace plumb::query {
 

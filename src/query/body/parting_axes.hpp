@@ -13,7 +13,7 @@
 
 #include "plumb/certify/certainly.hpp"
 #include "plumb/figure/basic/relation.hpp"
-#include "query/convex/box_parts.hpp"
+#include "query/body/box_parts.hpp"
 
 namespace plumb::query {
 
