@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "arith/vec.hpp"
+#include "plumb/certify/determinant_sign.hpp"
 #include "query/body/given_box.hpp"
 
 namespace plumb::query {
@@ -23,6 +24,14 @@ inline constexpr auto axes_beside = [] {
   }
   return all;
 }();
+
+/// Exactly, of vectors that are finite.
+inline bool are_parallel(const Vector3& u, const Vector3& v) {
+  const auto are_same = [](double p, double q, double r, double s) {  // the products
+    return p * q - r * s == 0 && determinant_sign({std::array{p, r}, std::array{s, q}}) == Sign::zero;
+  };
+  return are_same(u.x, v.y, u.y, v.x) && are_same(u.y, v.z, u.z, v.y) && are_same(u.z, v.x, u.x, v.z);
+}
 
 template <class T>
 arith::Vec<T> vec_of(const T& x, const T& y, const T& z) {

@@ -38,8 +38,18 @@ struct PartingAxes {
                                                                      {2, 4},
                                                                      {2, 5}}};
 
+  /// Those of two edges that are parallel, by bits.
+  static std::uint32_t parallel(const PosedBox& a, const PosedBox& b) {
+    std::uint32_t all = 0;
+    for (std::uint32_t i = 6; i < pairs.size(); ++i) {
+      if (are_parallel(a.axes[pairs[i][0]], b.axes[pairs[i][1] - 3])) all |= 1U << i;
+    }
+    return all;
+  }
+
+  /// `left_out`: pairs of axes that are parallel, by bits.
   template <class W>
-  std::optional<Relation> operator()(W& w, const PosedBox& a, const PosedBox& b) const {
+  std::optional<Relation> operator()(W& w, const PosedBox& a, const PosedBox& b, std::uint32_t left_out) const {
     const auto axis = [&](std::size_t k) {
       const Vector3& v = (k < 3 ? a : b).axes[k % 3];
       return vec_of(w.template number<1>(v.x), w.template number<1>(v.y), w.template number<1>(v.z));
@@ -54,7 +64,9 @@ struct PartingAxes {
     }
     const auto c = middle_difference(w, a, b);
     bool is_open = false;
-    for (const auto& [i, j] : pairs) {
+    for (std::size_t of = 0; of < pairs.size(); ++of) {
+      if ((left_out >> of & 1) != 0) continue;
+      const auto [i, j] = pairs[of];
       const auto n = tracked_cross(g[i], g[j]);
       const auto reach = [&](std::size_t k) { return magnitude(tracked_dot(n, g[k])) * s[k]; };
       const auto& other = axes_beside[6 * i + j];

@@ -233,7 +233,7 @@ std::optional<std::array<PosedBox, 2>> boxes_in_space(const std::array<NamedBox,
 /// Nothing where a gap is about zero.
 std::optional<Relation> relate_in_doubles(const std::array<PosedBox, 2>& box) {
   FloatWorld<PartingAxes> world;
-  const auto r = PartingAxes{}(world, box[0], box[1]);
+  const auto r = PartingAxes{}(world, box[0], box[1], PartingAxes::parallel(box[0], box[1]));
   return world.certain() ? r : std::nullopt;
 }
 

@@ -397,9 +397,12 @@ std::optional<SumParting> quick_boxes(const EdgeSum& sum, Gap gap) {
   std::array<NearAxes::Pair, 15> all;
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < sum.groups(); ++i) {
-    for (std::uint32_t j = i + 1; j < sum.groups(); ++j, ++count)
+    for (std::uint32_t j = i + 1; j < sum.groups(); ++j) {
       c.of[count] = {i, j}, all[count] = boxes->pair({i, j});
+      if (!are_parallel(boxes->axis(all[count][0]), boxes->axis(all[count][1]))) ++count;
+    }
   }
+  if (count == 0) return {};
   const std::span<const NearAxes::Pair> pairs = std::span(all).first(count);
   const auto pick = [&](const auto& overlaps, const auto& lengths) {
     return guessed_axis(*boxes, pairs, overlaps, lengths, gap);

@@ -152,8 +152,10 @@ TEST(PosedBoxes, AxesOverDoublesAreThoseOfRationalNumbers) {
     if (e.below(4) == 0) b.pose.translation = to_rest(a, b.shape);
     FloatWorld<query::PartingAxes> floats;
     RationalWorld rationals;
-    const auto quick = query::PartingAxes{}(floats, in_space(a), in_space(b));
-    const auto exact = query::PartingAxes{}(rationals, in_space(a), in_space(b));
+    const query::PosedBox p = in_space(a), q = in_space(b);
+    const std::uint32_t parallel = query::PartingAxes::parallel(p, q);
+    const auto quick = query::PartingAxes{}(floats, p, q, parallel);
+    const auto exact = query::PartingAxes{}(rationals, p, q, parallel);
     ASSERT_TRUE(floats.certain()) << "replay: Entropy(4301, " << run << ")";
     if (quick) {
       EXPECT_EQ(quick, exact) << "replay: Entropy(4301, " << run << ")";
