@@ -28,7 +28,9 @@ inline constexpr auto axes_beside = [] {
 /// Exactly, of vectors that are finite.
 inline bool are_parallel(const Vector3& u, const Vector3& v) {
   const auto are_same = [](double p, double q, double r, double s) {  // the products
-    return p * q - r * s == 0 && determinant_sign({std::array{p, r}, std::array{s, q}}) == Sign::zero;
+    if (!(p * q - r * s == 0)) return false;
+    if (p == 0 || q == 0) return r == 0 || s == 0;
+    return determinant_sign({std::array{p, r}, std::array{s, q}}) == Sign::zero;
   };
   return are_same(u.x, v.y, u.y, v.x) && are_same(u.y, v.z, u.z, v.y) && are_same(u.z, v.x, u.x, v.z);
 }
