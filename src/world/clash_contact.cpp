@@ -186,10 +186,8 @@ class CutContact {
       const std::uint32_t t = met[from.mesh][from.triangle];
       const TriangleMesh& mesh = parts_[from.mesh]->mesh();
       const auto corner_at = [&](std::uint32_t point) -> std::optional<std::size_t> {
-        const ExactPoint3 exact = table_.point(point);
-        const auto* given = std::get_if<Point3>(&exact.as());
         for (std::size_t k = 0; k < 3; ++k)
-          if (given != nullptr && mesh.vertices[mesh.triangles[t][k]] == *given) return k;
+          if (table_.is_given(point) && mesh.vertices[mesh.triangles[t][k]] == table_.given(point)) return k;
         return {};
       };
       for (std::size_t k = 0; k < 3; ++k) {
@@ -226,7 +224,9 @@ class CutContact {
       if (owners(f) == 0 || !is_in.at(groups.find(f))) continue;
       const std::size_t part = owners(f) == 1 ? 0 : 1;
       const auto& [a, b, c] = list_.facets[f];
-      add(part, std::array{table_.point(a), table_.point(b), table_.point(c)}, (jumps_[f][part] < 0) != inward[part]);
+      const surface::NumberedPoints points = table_.points();
+      add(part, std::array<ExactPoint3, 3>{points.at(a), points.at(b), points.at(c)},
+          (jumps_[f][part] < 0) != inward[part]);
     }
     std::uint32_t node = facets;
     for (std::size_t part = 0; part < 2; ++part) {
