@@ -51,7 +51,7 @@ ExactHitBarycentric along_edges(const std::array<Exact, 3>& corner, const Exact&
     const Exact edge = corner[(i + 1) % 3] - corner[i];
     return is_origin(edge) ? Rational(0) : Rational(dot(point - corner[i], edge) / square_of(edge));
   };
-  for (const std::size_t i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     const Rational share = share_along(i);
     if (share > Rational(0) && share < Rational(1)) return at_corners(i, share);
   }
