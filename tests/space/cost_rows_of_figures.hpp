@@ -192,7 +192,7 @@ inline const CostRow rows_of_figures[]{
                         [&](const Vector3& d) { return support_point(c.b, d).point; });
      },
      72, 2},
-    {"gjk_bounds", "query/gjk/figure_support.hpp", linear, 50,
+    {"gjk_bounds", "query/gjk/figure_support.hpp", linear, 65,
      [](const Cloud& c) { (void)gjk_bounds(cone(c.a), cone(c.b)); }},
     {"vclip", "query/vclip/vclip.hpp", quadratic, 20, [](const Cloud& c) { (void)vclip(c.p, c.q); }},
     {"separating_vector", "query/vclip/separating_vector.hpp", quadratic, 50,
@@ -243,7 +243,7 @@ inline const CostRow rows_of_figures[]{
        (void)first_contact(Moving<Point3>{c.a[0], c.a[1]}, Moving<Triangle3>{triangle(c.b), triangle(c.b, 3)},
                            {.separation = std::fabs(c.a[2].x)});
      },
-     72, 1, 12},
+     72, 1},
     {"first_contact_time", "query/time_of_impact/continuous_contact.hpp", fixed, 50,
      [](const Cloud& c) {
        (void)first_contact_time(Moving<Point3>{c.a[0], c.a[1]}, Moving<Triangle3>{triangle(c.b), triangle(c.b, 3)});
