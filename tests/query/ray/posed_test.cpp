@@ -146,7 +146,7 @@ TEST(PosedRay, BoxesByTheirHalfspacesAsInRationals) {
     expect_same(turned, near_figure<Segment3>(m));
     expect_same(turned, near_figure<Line3>(m));
   });
-  EXPECT_GT(hit * 10, all);
+  EXPECT_GT(hit * 20, all);
 }
 
 TEST(PosedRay, WhatPosesMakeIsHit) {
