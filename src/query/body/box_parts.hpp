@@ -10,6 +10,7 @@
 
 #include "arith/vec.hpp"
 #include "plumb/certify/determinant_sign.hpp"
+#include "plumb/certify/formula.hpp"
 #include "query/body/given_box.hpp"
 
 namespace plumb::query {
@@ -82,7 +83,7 @@ auto middle_difference(W& w, const PosedBox& p, const PosedBox& q) {
   const auto first = turned(p), second = turned(q);
   const auto part = [&](double to, double from, const auto& x, const auto& y) {
     const auto way = w.difference(to, from) * of_p;
-    return (way + way) * of_q + (x * of_q - y * of_p);
+    return certify::tape::doubled(way) * of_q + (x * of_q - y * of_p);
   };
   return vec_of(part(p.at.x, q.at.x, first.x, second.x), part(p.at.y, q.at.y, first.y, second.y),
                 part(p.at.z, q.at.z, first.z, second.z));
