@@ -21,7 +21,7 @@ struct plumb_curves {
 
 namespace {
 
-/// As much of a text as a caller has room for: all of it, or none.
+/// Writes all of a text, or nothing where the caller has no room for it.
 void write_text(const std::string& from, char* text, std::size_t capacity, std::size_t* length) {
   if (from.size() < capacity) std::memcpy(text, from.c_str(), from.size() + 1);
   *length = from.size();

@@ -23,7 +23,7 @@ struct Operation {
   ExactMesh (*of_exact)(std::span<const ExactMesh>, WindingRule, Pieces);
 };
 
-/// As it is, or rounded: work() makes an ExactMesh, or several.
+/// Tells what work() makes, an ExactMesh or several, as it is or rounded.
 template <class Work>
 py::object made_by(const Work& work, bool exact) {
   if (exact) return py::cast(std::make_shared<ExactMesh>(unlocked(work)));

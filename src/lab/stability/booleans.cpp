@@ -101,7 +101,7 @@ Solids tetrahedra_by_ours(const std::array<double, 24>& q) {
           round(subtract(mesh[0], mesh[1])).mesh};
 }
 
-/// By inclusion and exclusion, from the points that the convex solids have in common.
+/// Volumes are told by inclusion and exclusion, from the points that the convex solids have in common.
 SolidCase<24> tetrahedra_case(const std::array<double, 24>& q) {
   const Tetrahedron3 a = tetrahedron(q, 0), b = tetrahedron(q, 1);
   const auto volume_of = [](const SolidIntersection3& s) { return exact_volume(s); };
@@ -190,7 +190,7 @@ Solids chain_by_ours(const std::array<double, chain_numbers>& q) {
   return {round(chain).mesh};
 }
 
-/// By counting cells.
+/// Cells are counted.
 std::vector<SolidCase<chain_numbers>> chain_cases(const Settings& settings) {
   std::vector<SolidCase<chain_numbers>> cases(settings.quick ? 8 : 300);
   for (std::uint64_t i = 0; i < cases.size(); ++i) {

@@ -26,7 +26,8 @@ inline constexpr auto axes_beside = [] {
   return all;
 }();
 
-/// Exactly, of vectors that are finite.
+/// Tells exactly, of finite vectors: equal products are rounded alike, so that a difference of zero is asked again and any
+/// other is none.  Where a product is beyond doubles they may be told apart, which costs its reader a slower stage.
 inline bool are_parallel(const Vector3& u, const Vector3& v) {
   const auto are_same = [](double p, double q, double r, double s) {  // the products
     if (!(p * q - r * s == 0)) return false;

@@ -167,7 +167,7 @@ bool are_solid_boxes(const TwoBoxes<Running>& two) {
   return sum.upper() - sum.upper() == 0;
 }
 
-/// Where its axes in space are doubles.
+/// Tells the box where its axes in space are doubles.
 std::optional<PosedBox> box_in_space(const NamedBox& box, const RigidPose& by) {
   const auto turn = exact_matrix(by.turn);
   if (!turn) return {};
@@ -269,7 +269,7 @@ class BoxPair {
     if (gap == Sign::zero) level_.emplace(Level{of, n});
     return gap == Sign::positive;
   }
-  /// As far as it is known; also where the two axes are one.
+  /// Says so where it is known, and where the two axes are one.
   bool is_along_level(const AxisPair& of, const Vec3<Running>& n) const {
     if (!in_space_) return is_zero_vector(sparse_cross(n, level_->normal));
     const auto row = [&](std::size_t k) {

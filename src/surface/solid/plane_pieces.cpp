@@ -109,7 +109,7 @@ class PlaneDivider {
     return covers;
   }
 
-  // From the pieces of each face's edges inward, as far as these; faces ascend.
+  // Each face covers what is inward of the pieces of its edges, as far as these; faces ascend.
   [[nodiscard]] std::vector<CoveredTriangle> cover(const Triangulator<ExactPoints>& made,
                                                    const std::vector<std::vector<std::uint32_t>>& along) const {
     std::vector<CoveredTriangle> covered;

@@ -114,7 +114,7 @@ TEST(PartingAxes, MutantsAreNoticed) {
   mutants::expect_noticed("parting_axes", mutants::unnoticed(draw, ask, so, 0, 20000));
 }
 
-/// Where doubles tell nothing it is left open.
+/// What doubles do not tell is left open.
 struct Told {
   static constexpr Scales scales = PartingAxes::scales;
   static constexpr int highest = PartingAxes::highest;

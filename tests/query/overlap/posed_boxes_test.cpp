@@ -122,7 +122,7 @@ TEST(PosedBoxes, LieAsARationalProgramSays) {
   EXPECT_LT(counts.left, 1000);
 }
 
-/// In space, where the turn's matrix is one of doubles.
+/// The turn's matrix must be one of doubles.
 query::PosedBox in_space(const Posed<Aabb3, RigidPose>& box) {
   const auto& [low, high] = box.shape;
   const TurnMatrix turn = exact_matrix(box.pose.turn).value();

@@ -11,7 +11,7 @@
 // boxes it says what doubles prove: so it may be true of such as well.
 // No points throw InvalidShape, a volume that no doubles hold BeyondDoubles.
 // Source: RTCD 6.1.1, 6.5.
-// Cost: docs/space.md compares them.  Nothing is searched.
+// Cost: docs/trees.md compares them.  Nothing is searched.
 #pragma once
 
 #include <span>

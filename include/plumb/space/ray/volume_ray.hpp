@@ -12,7 +12,7 @@
 // or a pose that is NaN or infinite throws NonFinite.
 // Source: RTCD 5.3.2, 5.3.3, 6.3.2, 6.4.
 // Cost: three slabs for each oriented box that is looked at, a discriminant for each sphere, a slab for each direction
-// of a k-DOP, all in intervals; a mesh's own tree of boxes is faster for single rays (docs/space.md).  Bounded by n
+// of a k-DOP, all in intervals; a mesh's own tree of boxes is faster for single rays (docs/trees.md).  Bounded by n
 // tests of volumes and of triangles a ray, on integers as long as the exponents' span.
 #pragma once
 
