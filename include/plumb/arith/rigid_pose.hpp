@@ -13,6 +13,7 @@
 // Cost: none; exact_matrix some 5 ns.
 #pragma once
 
+#include <bit>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -82,14 +83,33 @@ constexpr bool is_on_turn_lattice(double w, double x, double y, double z) {
   return is_whole(w) && is_whole(x) && is_whole(y) && is_whole(z) && w * w + x * x + y * y + z * z < 8;
 }
 
+/// The multiple of q by a power of two that is on the lattice, and the same turn: q itself where it is.
+constexpr std::optional<Rotation> multiple_on_turn_lattice(const Rotation& q) {
+  if (is_on_turn_lattice(q.w, q.x, q.y, q.z)) return q;
+  double greatest = 0;
+  for (const double a : {q.w, q.x, q.y, q.z}) greatest = a > greatest ? a : (-a > greatest ? -a : greatest);
+  if (!(greatest >= 0x1p-1000 && greatest <= 0x1p1000)) return {};
+  // The greatest part comes into [2, 4), where the least are soonest whole; a fourth of it is short for certain.
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(greatest) >> 52;
+  double scale = std::bit_cast<double>((std::uint64_t{2047} - exponent) << 52);
+  for (int i = 0; i < 3; ++i, scale /= 2) {
+    const Rotation scaled{q.w * scale, q.x * scale, q.y * scale, q.z * scale};
+    if (is_on_turn_lattice(scaled.w, scaled.x, scaled.y, scaled.z)) return scaled;
+  }
+  return {};
+}
+
 }  // namespace arith
 
-/// Nothing where a number of it would have to be rounded, and for zero.  Always there for multiples of 2^-25 of a length
-/// below the root of 8, as nearest_rotation makes them (figure/basic/rotation.hpp).
+/// The matrix of q or of its multiple by a power of two.  Nothing where a number of it would have to be rounded, and for
+/// zero.  Always there for multiples of 2^-25 of a length below the root of 8, as nearest_rotation makes them
+/// (figure/basic/rotation.hpp), and for four integers of 25 bits.
 constexpr std::optional<TurnMatrix> exact_matrix(const Rotation& q) {
-  const auto& [w, x, y, z] = q;
+  const auto on_lattice = arith::multiple_on_turn_lattice(q);
+  if (!on_lattice) return {};
+  const auto [w, x, y, z] = *on_lattice;
   const double ww = w * w, xx = x * x, yy = y * y, zz = z * z, weight = ww + xx + yy + zz;
-  if (!arith::is_on_turn_lattice(w, x, y, z) || weight == 0) return {};
+  if (weight == 0) return {};
   const double xy = 2 * x * y, xz = 2 * x * z, yz = 2 * y * z, wx = 2 * w * x, wy = 2 * w * y, wz = 2 * w * z;
   return TurnMatrix{{{{ww + xx - yy - zz, xy + wz, xz - wy},
                       {xy - wz, ww - xx + yy - zz, yz + wx},
@@ -97,8 +117,11 @@ constexpr std::optional<TurnMatrix> exact_matrix(const Rotation& q) {
                     weight};
 }
 constexpr std::optional<TurnMatrix2> exact_matrix(const Rotation2& q) {
-  const double ww = q.w * q.w, zz = q.z * q.z, wz = 2 * q.w * q.z;
-  if (!arith::is_on_turn_lattice(q.w, 0, 0, q.z) || ww + zz == 0) return {};
+  const auto on_lattice = arith::multiple_on_turn_lattice({q.w, 0, 0, q.z});
+  if (!on_lattice) return {};
+  const auto [w, x, y, z] = *on_lattice;
+  const double ww = w * w, zz = z * z, wz = 2 * w * z;
+  if (ww + zz == 0) return {};
   return TurnMatrix2{{{{ww - zz, wz}, {-wz, ww - zz}}}, ww + zz};
 }
 

@@ -201,8 +201,8 @@ std::optional<NearRotation2> nearest_rotation(const Pose2& pose) {
 
 NearRotation on_turn_lattice(const Rotation& turn) {
   figure::require_sound("on_turn_lattice", turn);
-  if (exact_matrix(turn)) return {turn, 0};
   const auto& [w, x, y, z] = turn;
+  if (arith::is_on_turn_lattice(w, x, y, z)) return {turn, 0};
   if (const auto same = multiple_on_lattice({mpq_class(w), mpq_class(x), mpq_class(y), mpq_class(z)}))
     return {*same, 0};
   const int exponent = -std::ilogb(largest_of(std::array{w, x, y, z}));

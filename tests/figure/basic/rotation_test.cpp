@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "figure/basic/rigid_poses.hpp"
 #include "figure/basic/thrown.hpp"
@@ -59,6 +60,32 @@ TEST(TurnLattice, HasNoQuaternionWhoseWeightIsRounded) {
   // The squares of these integers have the sum 2^53 + 1, which doubles round to 2^53: a length that is said to be the
   // root of 8 and is not.
   EXPECT_FALSE(exact_matrix(Rotation{0x1p-25 * 94906265, 0x1p-25 * 10884, 0x1p-25 * 136, 0x1p-25 * 104}));
+}
+
+TEST(TurnLattice, TakesMultiplesByPowersOfTwo) {
+  for (std::uint64_t index = 0; index < how_many() / 20; ++index) {
+    Entropy entropy(846, index);
+    const Rotation q = rigid_poses::turn(entropy.coin() ? TurnKind::lattice : TurnKind::long_lattice, entropy);
+    const int exponent = static_cast<int>(entropy.within(900));
+    const auto scaled = [exponent](double a) { return std::ldexp(a, exponent); };
+    const auto made = exact_matrix(Rotation{scaled(q.w), scaled(q.x), scaled(q.y), scaled(q.z)});
+    ASSERT_TRUE(made) << "start 846 index " << index;
+    const TurnMatrix given = *exact_matrix(q);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto is_multiple = [&](double a, double b) {
+        return mpq_class(a) * mpq_class(given.weight) == mpq_class(b) * mpq_class(made->weight);
+      };
+      const Vector3 &a = made->columns[i], &b = given.columns[i];
+      EXPECT_TRUE(is_multiple(a.x, b.x) && is_multiple(a.y, b.y) && is_multiple(a.z, b.z))
+          << "start 846 index " << index;
+    }
+  }
+  EXPECT_EQ(exact_matrix(Rotation{3, 0, 0, 1}).value().weight, 2.5);
+  EXPECT_EQ(exact_matrix(Rotation2{3, 1}).value().weight, 2.5);
+  EXPECT_TRUE(exact_matrix(Rotation{33554431, 33554431, 33554431, 33554431}));
+  EXPECT_FALSE(exact_matrix(Rotation{1, 0x1p-27, 0, 0}));
+  EXPECT_FALSE(exact_matrix(Rotation{std::numeric_limits<double>::denorm_min(), 0, 0, 0}));
+  EXPECT_FALSE(exact_matrix(Rotation{0, 0, 0, 0}));
 }
 
 mpq_class squared_tangent(const Rotation& a, const Rotation& b) {
