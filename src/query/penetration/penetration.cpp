@@ -1,7 +1,9 @@
 #include "plumb/query/penetration/penetration.hpp"
 
 #include "arith/exact_number.hpp"
+#include "arith/leading_digits.hpp"
 #include "arith/rounded_radical.hpp"
+#include "arith/sparse_vec.hpp"
 #include "plumb/arith/ball.hpp"
 #include "query/penetration/cached_guess.hpp"
 #include "query/penetration/facet_lengths.hpp"
@@ -76,13 +78,20 @@ Lengths<Ball> quick_lengths(const Told& t) {
 
 Penetration without_numbers(const Told& t) { return {0, {}, {}, t.flush.a, t.flush.b, t.parting.is_unique}; }
 
+/// The same, where roundings leave too few digits of what almost cancels: by integers of one width, if they hold it.
+std::optional<Lengths<Ball>> lengths_by_integers(const Told& t) {
+  StackDyadic::clear_range();
+  const Lengths<StackDyadic> n(t.difference(), t.parting.way, t.flush.in_plane);
+  const auto leading = [](const StackDyadic& x) { return arith::leading_digits(x); };
+  const Ball scale = leading(t.corners[0].scale<StackDyadic>()), overlap = leading(n.overlap);
+  const Vec<Ball> way{leading(n.way.x), leading(n.way.y), leading(n.way.z)};
+  const Lengths<Ball> told(way, leading(n.square), certainly_zero(overlap) ? overlap : quotient(overlap, scale));
+  if (StackDyadic::left_range()) return {};
+  return told;
+}
+
 /// Numbers by pairs of doubles; nothing where these leave one open.
-std::optional<Penetration> quick_numbers(const Told& t) {
-  double radius = 0;
-  if (t.radii) {
-    radius = t.radii->get_d();
-    if (radius != *t.radii) return {};
-  }
+std::optional<Penetration> numbers_of(const Told& t, const Lengths<Ball>& n, double radius) {
   Penetration p = without_numbers(t);
   bool is_told = true;
   const auto tell = [&](double& to, const Ball& from) {
@@ -90,27 +99,45 @@ std::optional<Penetration> quick_numbers(const Told& t) {
     is_told = is_told && nearest;
     to = nearest.value_or(0);
   };
-  if (t.overlap) {
-    const auto way = t.parting.way.along<double>(t.difference());
-    tell(p.depth, Ball(radius) + *t.overlap);
-    p.direction = {way.x, way.y, way.z};
-    p.translation = {way.x * p.depth + 0.0, way.y * p.depth + 0.0, way.z * p.depth + 0.0};
-  } else {
-    const Lengths<Ball> n = quick_lengths(t);
-    const Ball overlap = t.parting.cores_touch ? Ball(0) : n.overlap;
-    const Ball length = root(n.square), share = quotient(Ball(1), length);
-    const Vec<Ball> unit = n.way * share;
-    tell(p.direction.x, unit.x), tell(p.direction.y, unit.y), tell(p.direction.z, unit.z);
-    if (!t.parting.cores_touch || radius != 0) {  // else they are parted as they stand
-      const Ball depth = Ball(radius) + overlap * share;
-      tell(p.depth, depth);
-      // Without a radius no root is in it, and what is near to a number halfway is seen to be there.
-      const Ball by = radius == 0 ? quotient(overlap, n.square) : depth * share;
-      tell(p.translation.x, n.way.x * by), tell(p.translation.y, n.way.y * by), tell(p.translation.z, n.way.z * by);
-    }
+  using arith::sparse_product;  // zero times what is rounded is zero
+  const Ball overlap = t.parting.cores_touch ? Ball(0) : n.overlap;
+  const Ball length = root(n.square), share = quotient(Ball(1), length);
+  const Vec<Ball>& way = n.way;
+  tell(p.direction.x, sparse_product(way.x, share)), tell(p.direction.y, sparse_product(way.y, share));
+  tell(p.direction.z, sparse_product(way.z, share));
+  if (!t.parting.cores_touch || radius != 0) {  // else they are parted as they stand
+    const Ball depth = Ball(radius) + sparse_product(overlap, share);
+    tell(p.depth, depth);
+    // Without a radius no root is in it, and what is near to a number halfway is seen to be there.
+    const Ball by = radius == 0 ? quotient(overlap, n.square) : sparse_product(depth, share);
+    tell(p.translation.x, sparse_product(way.x, by)), tell(p.translation.y, sparse_product(way.y, by));
+    tell(p.translation.z, sparse_product(way.z, by));
   }
-  if (!is_told) return {};
+  return is_told ? std::optional(p) : std::nullopt;
+}
+
+/// The same along an axis of space, where the overlap is a sum of few numbers.
+std::optional<Penetration> numbers_along_axis(const Told& t, const Ball& overlap, double radius) {
+  const auto depth = (Ball(radius) + overlap).nearest();
+  if (!depth) return {};
+  Penetration p = without_numbers(t);
+  const auto way = t.parting.way.along<double>(t.difference());
+  p.depth = *depth;
+  p.direction = {way.x, way.y, way.z};
+  p.translation = {way.x * p.depth + 0.0, way.y * p.depth + 0.0, way.z * p.depth + 0.0};
   return p;
+}
+
+std::optional<Penetration> quick_numbers(const Told& t) {
+  double radius = 0;
+  if (t.radii) {
+    radius = t.radii->get_d();
+    if (radius != *t.radii) return {};
+  }
+  if (t.overlap) return numbers_along_axis(t, *t.overlap, radius);
+  if (auto told = numbers_of(t, quick_lengths(t), radius)) return told;
+  const auto fine = lengths_by_integers(t);
+  return fine ? numbers_of(t, *fine, radius) : std::nullopt;
 }
 
 Penetration exact_numbers(const Told& t) {
