@@ -28,11 +28,6 @@ Rational quotient(const Rational& a, const Rational& b) {
   return Rational(BigRational{mpq_class(a.value().value / b.value().value)});
 }
 
-mpz_class integer(std::uint64_t x) {
-  static_assert(sizeof(unsigned long) == sizeof x, "GMP takes it in one word");
-  return {static_cast<unsigned long>(x)};
-}
-
 Rational whole(mpz_class x) { return Rational(BigRational{mpq_class(std::move(x))}); }
 
 [[noreturn]] void throw_no_number(std::string_view text, const char* why) {
@@ -93,7 +88,7 @@ mpq_class decimal(std::string_view text, std::string_view whole_text) {
 }  // namespace
 
 Rational::Rational(bool negative, std::uint64_t magnitude, Magnitude)
-    : value_(std::make_unique<BigRational>(BigRational{mpq_class(integer(magnitude))})) {
+    : value_(std::make_unique<BigRational>(BigRational{mpq_class(mpz_class(magnitude))})) {
   if (negative) mpq_neg(value_->value.get_mpq_t(), value_->value.get_mpq_t());
 }
 Rational::Rational(const Rational& numerator, const Rational& denominator)
@@ -148,7 +143,7 @@ Rational Rational::ceil() const {
   return whole(std::move(x));
 }
 std::optional<std::int64_t> Rational::to_int64() const {
-  static_assert(sizeof(long) == sizeof(std::int64_t), "GMP gives it in one word");
+  static_assert(sizeof(mpz_class().get_si()) == sizeof(std::int64_t), "it comes in one word");
   if (!is_integer() || !value_->value.get_num().fits_slong_p()) return {};
   return value_->value.get_num().get_si();
 }
