@@ -6,6 +6,9 @@ install(TARGETS plumb_predicates plumb_batch plumb_classic plumb_degenerate plum
 if(PLUMB_BUILD_C)
   install(TARGETS plumb_c EXPORT plumb_targets)
 endif()
+if(PLUMB_BUILD_GPU)
+  install(TARGETS plumb_gpu EXPORT plumb_targets)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/plumb DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" PATTERN predicates EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/predicates/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/predicates

@@ -1,5 +1,6 @@
 // The face of worlds: bodies that come, go and move, and which of them meet.
 //
+// plumb/world/gpu_filter.hpp is of the library plumb_gpu, which not every build has: it is included by those who want it.
 // Source: docs/sections.md, chapter 2.
 #pragma once
 
