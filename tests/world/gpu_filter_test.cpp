@@ -1,5 +1,5 @@
-// The GPU as a filter: is all that meets left, at every resolution, are the exact pairs through it those of a world, and is
-// anything filtered out?  Where no EGL device is found the tests are skipped and say so.
+// The GPU as a filter: is all that meets left, at every resolution, are the exact pairs through it those of a world,
+// and is anything filtered out?  Where no EGL device is found the tests are skipped and say so.
 #include "plumb/world/gpu_filter.hpp"
 
 #include <gtest/gtest.h>

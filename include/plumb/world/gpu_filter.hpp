@@ -5,21 +5,24 @@
 //   for (const MeetingBodies& m : gpu.meeting(bodies))    // exactly those that meet
 //   gpu.may_collide(bodies)                               // the potentially colliding set
 //
-// Laws: (1) nothing that meets is filtered out: each pair that has a point in common is among those of may_meet, and both
-// bodies are in may_collide, at every resolution.  (2) meeting() are exactly the pairs that meet, as a CollisionWorld tells
-// them, on any GPU and at any resolution; these change only how many are asked.  (3) Pairs ascend; a < b in those found.
-// Why it is conservative: a point goes to a cell, a pixel and a depth, by an affine map along each axis and floor.  Each
-// corner goes to a range of integers that holds its exact image, by interval arithmetic; ranges of midpoints are made of
-// these in integers, so that the cells of the parts of a triangle hold each of its points.  What is drawn is rectangles of
-// whole pixels with whole depths, which floats hold: their edges run half a pixel from the centers that are asked, no depth
-// is interpolated, and the card's arithmetic rounds nothing.  A common point is in a cell of both bodies, and above and
-// below a point inside of a solid its surface is drawn in the same pixel.  So a pixel always says so.
-// A resolution that is no power of two from 16 to 1,024 throws Error, as does a GPU that fails; bodies throw as in a world.
+// Laws: (1) nothing that meets is filtered out: each pair that has a point in common is among those of may_meet, and
+// both bodies are in may_collide, at every resolution.  (2) meeting() are exactly the pairs that meet, as a
+// CollisionWorld tells them, on any GPU and at any resolution; these change only how many are asked.  (3) Pairs
+// ascend; a < b in those found.
+// Why it is conservative: a point goes to a cell, a pixel and a depth, by an affine map along each axis and floor.
+// Each corner goes to a range of integers that holds its exact image, by interval arithmetic; ranges of midpoints are
+// made of these in integers, so that the cells of the parts of a triangle hold each of its points.  What is drawn is
+// rectangles of whole pixels with whole depths, which floats hold: their edges run half a pixel from the centers that
+// are asked, no depth is interpolated, and the card's arithmetic rounds nothing.  A common point is in a cell of both
+// bodies, and above and below a point inside of a solid its surface is drawn in the same pixel.  So a pixel always
+// says so.
+// A resolution that is no power of two from 16 to 1,024 throws Error, as does a GPU that fails; bodies throw as in a
+// world.
 // A filter is for one thread at a time; what context was current is so again afterwards.
 // It is in the library plumb_gpu alone (PLUMB_BUILD_GPU): nothing else includes it or needs EGL.
 // Source: RTCD 10.1, 10.1.1, 10.1.2, 10.2, 10.3, 10.4.
-// Cost: docs/world.md#the-gpu-as-a-filter.  Two draws for each body, order and direction for the set; for each pair three
-// for its views at most.  Results are read back once for a batch of pairs.  Nothing is searched.
+// Cost: docs/world.md#the-gpu-as-a-filter.  Two draws for each body, order and direction for the set; for each pair
+// three for its views at most.  Results are read back once for a batch of pairs.  Nothing is searched.
 #pragma once
 
 #include <cstddef>
@@ -71,7 +74,7 @@ class GpuFilter {
   [[nodiscard]] const std::string& renderer() const;
   [[nodiscard]] const GpuFilterCounts& counts() const;
 
-  /// The bodies that may meet another, ascending: of those, again and again, that along no axis are seen whole in front of
+  /// The bodies that may meet another, ascending: again and again, those that along no axis are seen whole in front of
   /// all drawn before them and, in the other order, of all drawn after them.
   std::vector<std::uint32_t> may_collide(std::span<const AnyBody> bodies);
   /// Those of the pairs that may meet, in their order: along each axis two solids by their depths, pixel by pixel, two

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int side = 1 << Canvas::side_bits;
 
-// A rectangle of whole pixels, each of which has its center half a pixel within: doubled coordinates over a power of two.
+// A rectangle of whole pixels, each of which has its center half a pixel within: doubled coordinates over a power of
+// two.
 constexpr const char* vertex_text = R"(#version 420 core
 layout(location = 0) in ivec4 pixels;
 layout(location = 1) in ivec2 depths_of;

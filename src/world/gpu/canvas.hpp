@@ -1,7 +1,7 @@
 // What draws cells without a display, and asks whether any pixel of them is left?
 //
-// Laws: a range is drawn to each of its pixels and to no other; two cells are told apart and found equal exactly, for all
-// numbers that a shader compares are whole, or whole over a power of two, and held by floats.
+// Laws: a range is drawn to each of its pixels and to no other; two cells are told apart and found equal exactly, for
+// all numbers that a shader compares are whole, or whole over a power of two, and held by floats.
 // Source: RTCD 10.1.1, 10.1.2.
 // Cost: an upload for each list of ranges; a wait for the queries of a batch.
 #pragma once

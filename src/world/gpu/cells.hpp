@@ -1,8 +1,9 @@
-// Which cells of a view does a body take?  A view has pixels along two axes and depths along the third, all whole numbers.
+// Which cells of a view does a body take?  A view has pixels along two axes and depths along the third, all whole
+// numbers.
 //
-// Laws: a point p of the view's box is in the cell of floor((p - origin) * scale) along each axis, of those exact numbers.
-// The cells of a body's faces, and of its edges, hold those of all their points in that box; of a solid they hold, in the
-// pixel of each such point that is inside, depths on both sides of it.
+// Laws: a point p of the view's box is in the cell of floor((p - origin) * scale) along each axis, of those exact
+// numbers. The cells of a body's faces, and of its edges, hold those of all their points in that box; of a solid they
+// hold, in the pixel of each such point that is inside, depths on both sides of it.
 // Source: RTCD 10.1.
 // Cost: interval arithmetic for each corner, integers for each part of a triangle; a thousand parts a triangle at most
 // where it fills the view.

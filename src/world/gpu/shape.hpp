@@ -1,7 +1,7 @@
 // What is drawn of a body?  Triangles whose corners are boxes that hold the exact ones.
 //
-// Laws: of a surface, the hulls of its faces' corners hold all of it, and those of its edges all edges; of any other body
-// the lines along each axis through each of its points meet such a hull on both sides of the point, or at it.
+// Laws: of a surface, the hulls of its faces' corners hold all of it, and those of its edges all edges; of any other
+// body the lines along each axis through each of its points meet such a hull on both sides of the point, or at it.
 // Source: RTCD 10.2, 10.3.
 // Cost: a box for each corner.
 #pragma once
