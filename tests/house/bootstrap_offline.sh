@@ -38,6 +38,7 @@ expect 1 "no apt-get" demo
 expect 1 "libcli11-dev" demo
 expect 1 "g++-aarch64-linux-gnu" arm64
 expect 1 "emscripten" browser
+expect 1 "libegl-dev" gpu
 
 # A Debian that lacks two packages, without apt-get; then one where apt-get knows no such package.
 stand_in dpkg-query 'case "$*" in *libpng-dev | *g++) echo not-installed; exit 1 ;; *) echo installed ;; esac'
