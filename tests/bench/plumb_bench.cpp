@@ -1,4 +1,5 @@
 #include "bench/rivals/chart_rival.hpp"
+#include "bench/rivals/stability/rival.hpp"
 #include "lab/program/program.hpp"
 
 int main(int argc, char** argv) {
@@ -9,5 +10,5 @@ int main(int argc, char** argv) {
         plumb::bench::add_fcl, plumb::bench::add_fcl_meshes, plumb::bench::add_ccd, plumb::bench::add_bullet,
         plumb::bench::add_bullet_meshes, plumb::bench::add_qhull, plumb::bench::add_eigen, plumb::bench::add_crowds})
     add(rivals);
-  return plumb::tool::run_program(plumb::lab::laboratory_facts(rivals), argc, argv);
+  return plumb::tool::run_program(plumb::lab::laboratory_facts(rivals, plumb::bench::world_rivals()), argc, argv);
 }

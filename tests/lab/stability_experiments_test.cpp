@@ -72,6 +72,31 @@ TEST(Segments, AreMissedInFloatingPointAndCrossOnNeither) {
   EXPECT_GT(f.at("double: segments through the shared end that are said to meet one and miss the other"), 0U);
 }
 
+TEST(Worlds, LoseWhatTouchesAndInventTouches) {
+  bool saw_bodies = false;
+  const WorldRival none{"blind", [&](std::span<const WorldBody> bodies) {
+                          saw_bodies = saw_bodies || bodies.size() >= 60;
+                          return BodyPairs{};
+                        }};
+  const WorldRival all{"all", [](std::span<const WorldBody> bodies) {
+                         BodyPairs pairs;
+                         for (std::uint32_t j = 0; j < bodies.size(); ++j)
+                           for (std::uint32_t i = 0; i < j; ++i) pairs.insert({i, j});
+                         return pairs;
+                       }};
+  const Found found = found_by(world_experiment({none, all}));
+  const auto& f = found.failures;
+  EXPECT_TRUE(saw_bodies);
+  EXPECT_GT(f.at("double: pairs that meet and are not told"), 0U);
+  EXPECT_GT(f.at("double: pairs that are told and do not meet"), 0U);
+  for (const auto& [scene, methods] : found.scenes) {
+    EXPECT_GT(methods.at("blind")[0].of, 5U) << scene;
+    EXPECT_EQ(methods.at("blind")[0].failures, methods.at("blind")[0].of) << scene;
+    EXPECT_EQ(methods.at("all")[0].failures, 0U) << scene;
+    EXPECT_EQ(methods.at("all")[1].failures, methods.at("all")[1].of) << scene;
+  }
+}
+
 TEST(Sweeps, LoseAndInventPairsInFloatingPoint) {
   const Found found = found_by(sweep_experiment());
   EXPECT_GT(found.failures.at("double: pairs that meet and were lost"), 0U);

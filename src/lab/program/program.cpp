@@ -56,10 +56,10 @@ std::string command_of_plumb(const std::string& word) {
 
 }  // namespace
 
-ProgramFacts laboratory_facts(std::span<const trial::Rival> rivals) {
+ProgramFacts laboratory_facts(std::span<const trial::Rival> rivals, const std::vector<stability::WorldRival>& worlds) {
   return {"plumb-lab", laboratory_manual,
-          [rivals](CLI::App& app) -> std::vector<Command> {
-            return {chart_command(app, rivals), stability_command(app), vectors_command(app)};
+          [rivals, worlds](CLI::App& app) -> std::vector<Command> {
+            return {chart_command(app, rivals), stability_command(app, worlds), vectors_command(app)};
           },
           command_of_plumb};
 }

@@ -6,13 +6,16 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "lab/stability/world_bodies.hpp"
 #include "lab/trial/tasks.hpp"
 #include "tool/program/program.hpp"
 
 namespace plumb::lab {
 
-/// `plumb-lab chart` tries these rivals as well; the installed program has none.
-ProgramFacts laboratory_facts(std::span<const trial::Rival> rivals = {});
+/// `plumb-lab chart` tries these rivals as well, and `stability` these worlds; the installed program has none.
+ProgramFacts laboratory_facts(std::span<const trial::Rival> rivals = {},
+                              const std::vector<stability::WorldRival>& worlds = {});
 
 }  // namespace plumb::lab

@@ -27,7 +27,7 @@ struct StabilityOptions {
 int run_stability(const StabilityOptions& options,
                   std::vector<stability::Experiment> experiments = stability::all_experiments());
 
-Command stability_command(CLI::App& program);
+Command stability_command(CLI::App& program, const std::vector<stability::WorldRival>& worlds = {});
 Manual stability_manual();
 
 }  // namespace plumb::lab

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/stability/world_bodies.hpp"
 #include "lab/trial/terms.hpp"
 
 namespace plumb::lab::stability {
@@ -60,8 +61,8 @@ struct Experiment {
   std::function<std::vector<Scene>(const Settings&)> scenes;
 };
 
-/// In the order of the report.
-std::vector<Experiment> all_experiments();
+/// In the order of the report.  The worlds of other libraries are asked as well; plumb-lab has none.
+std::vector<Experiment> all_experiments(const std::vector<WorldRival>& worlds = {});
 
 Experiment grid_experiment();
 Experiment hull_experiment();
@@ -83,5 +84,6 @@ Experiment walk_experiment();
 Experiment triangulation_experiment();
 Experiment welding_experiment();
 Experiment boolean_experiment();
+Experiment world_experiment(std::vector<WorldRival> rivals = {});
 
 }  // namespace plumb::lab::stability

@@ -2,7 +2,7 @@
 
 namespace plumb::lab {
 
-Command stability_command(CLI::App& program) {
+Command stability_command(CLI::App& program, const std::vector<stability::WorldRival>& worlds) {
   const auto options = std::make_shared<StabilityOptions>();
   StabilityOptions& o = *options;
   CLI::App* const parser = program.add_subcommand("stability", "Find where geometric algorithms fail, and picture it.");
@@ -16,14 +16,15 @@ Command stability_command(CLI::App& program) {
   parser->add_option("--ccd", o.settings.ccd, "Try the queries of continuous tests in this folder as well.")
       ->type_name("DIR");
   parser->add_option("--models", o.settings.models, "Try the meshes in this folder as well.")->type_name("DIR");
-  const auto experiments = [] {
+  const auto all = std::make_shared<const std::vector<stability::Experiment>>(stability::all_experiments(worlds));
+  const auto experiments = [all] {
     std::vector<std::string> names;
-    for (const stability::Experiment& e : stability::all_experiments()) names.push_back(e.name);
+    for (const stability::Experiment& e : *all) names.push_back(e.name);
     return names;
   };
   return {parser,
           stability_manual,
-          [options] { return run_stability(*options); },
+          [options, all] { return run_stability(*options, *all); },
           nullptr,
           {{"--experiment", experiments}}};
 }
