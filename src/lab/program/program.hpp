@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "lab/stability/world_bodies.hpp"
+#include "lab/stability/experiment.hpp"
 #include "lab/trial/tasks.hpp"
 #include "tool/program/program.hpp"
 

@@ -7,14 +7,17 @@
 // Cost: all experiments in seconds when quick, in minutes in full.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "lab/stability/world_bodies.hpp"
 #include "lab/trial/terms.hpp"
+#include "plumb/arith/rigid_pose.hpp"
 
 namespace plumb::lab::stability {
 
@@ -61,8 +64,19 @@ struct Experiment {
   std::function<std::vector<Scene>(const Settings&)> scenes;
 };
 
-/// In the order of the report.  The worlds of other libraries are asked as well; plumb-lab has none.
-std::vector<Experiment> all_experiments(const std::vector<WorldRival>& worlds = {});
+/// The hull of eight corners under a rigid pose.
+struct WorldBody {
+  std::array<Point3, 8> corners;
+  std::optional<Vector3> half;  // of a box about the origin, whose corners these are
+  RigidPose pose;
+};
+using BodyPairs = std::set<std::array<std::uint32_t, 2>>;  // by their numbers, the lower one first
+
+/// A library's collision world: all bodies are handed over at once; which of them meet, as it says.
+struct WorldRival {
+  std::string name;
+  std::function<BodyPairs(std::span<const WorldBody> bodies)> ask;
+};
 
 Experiment grid_experiment();
 Experiment hull_experiment();
@@ -85,5 +99,15 @@ Experiment triangulation_experiment();
 Experiment welding_experiment();
 Experiment boolean_experiment();
 Experiment world_experiment(std::vector<WorldRival> rivals = {});
+
+/// In the order of the report.  The worlds of other libraries are asked as well; plumb-lab has none.
+inline std::vector<Experiment> all_experiments(const std::vector<WorldRival>& worlds = {}) {
+  return {grid_experiment(),       hull_experiment(),          space_hull_experiment(), segment_experiment(),
+          sweep_experiment(),      location_experiment(),      leak_experiment(),       box_experiment(),
+          convex_experiment(),     move_experiment(),          pose_experiment(),       distance_experiment(),
+          ball_experiment(),       motion_experiment(),        touch_experiment(),      neighbor_experiment(),
+          walk_experiment(),       triangulation_experiment(), welding_experiment(),    boolean_experiment(),
+          world_experiment(worlds)};
+}
 
 }  // namespace plumb::lab::stability

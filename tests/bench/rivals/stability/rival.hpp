@@ -5,7 +5,7 @@
 // Cost: theirs.
 #pragma once
 
-#include "lab/stability/world_bodies.hpp"
+#include "lab/stability/experiment.hpp"
 
 namespace plumb::bench {
 
