@@ -6,11 +6,13 @@ install(TARGETS plumb_predicates plumb_batch plumb_classic plumb_degenerate plum
 if(PLUMB_BUILD_C)
   install(TARGETS plumb_c EXPORT plumb_targets)
 endif()
+set(headers_of_no_library PATTERN gpu_filter.hpp EXCLUDE)
 if(PLUMB_BUILD_GPU)
   install(TARGETS plumb_gpu EXPORT plumb_targets)
+  set(headers_of_no_library)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/plumb DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" PATTERN predicates EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h" PATTERN predicates EXCLUDE ${headers_of_no_library})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/predicates/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/plumb/predicates
   FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

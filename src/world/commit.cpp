@@ -21,17 +21,6 @@ bool may_meet(const BodyOptions& a, const BodyOptions& b) {
 
 bool near_comes_before(const NearPair& p, const NearPair& q) { return comes_before(p.pair, q.pair); }
 
-Relation relation_of_bodies(const WorldBody& a, const WorldBody& b) {
-  Relation most = Relation::disjoint;
-  for (const world::Placed& p : a.placed) {
-    for (const world::Placed& q : b.placed) {
-      if (most == Relation::overlapping) return most;
-      most = std::max(most, world::relation(p, q));
-    }
-  }
-  return most;
-}
-
 WorldEvents events_between(const std::vector<WorldPair>& before, const std::vector<WorldPair>& now) {
   WorldEvents events;
   auto old = before.begin();
@@ -107,7 +96,7 @@ AskedPairs asked_pairs(const std::vector<WorldPair>& pairs, const std::vector<st
     about_body("CollisionWorld::commit", p.id_a, [&] {
       about_body("and", p.id_b, [&] {
         const auto told = options.contacts ? world::add_contacts(p, a, b, contacts) : std::nullopt;
-        asked.relations[i] = told ? *told : relation_of_bodies(a, b);
+        asked.relations[i] = told ? *told : world::relation_of_parts(a.placed, b.placed);
       });
     });
   };

@@ -104,6 +104,17 @@ Relation relation(const Placed& a, const Placed& b) {
   return relation_of_meshes(std::get<PlacedMesh>(a), std::get<PlacedMesh>(b));
 }
 
+Relation relation_of_parts(std::span<const Placed> a, std::span<const Placed> b) {
+  Relation most = Relation::disjoint;
+  for (const Placed& p : a) {
+    for (const Placed& q : b) {
+      if (most == Relation::overlapping) return most;
+      most = std::max(most, relation(p, q));
+    }
+  }
+  return most;
+}
+
 bool meet(const Placed& part, const AnyFigure& figure) {
   if (const auto* own = std::get_if<AnyFigure>(&part)) return intersects(*own, figure);
   const PlacedMesh& mesh = std::get<PlacedMesh>(part);

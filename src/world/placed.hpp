@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -50,6 +51,8 @@ Aabb3 box_of_figure(const AnyFigure& figure);
 Aabb3 box_of(const Placed& part);
 
 Relation relation(const Placed& a, const Placed& b);
+/// The most that two parts of them say.
+Relation relation_of_parts(std::span<const Placed> a, std::span<const Placed> b);
 bool meet(const Placed& part, const AnyFigure& figure);
 
 }  // namespace plumb::world

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "certify/sanitized.hpp"
 #include "lab/quick_report.hpp"
 #include "tool/browser.hpp"
 #include "tool/drawing/chart.hpp"
@@ -352,15 +351,15 @@ TEST(Report, OpensOnASummaryAndFoldsWhatIsAllRight) {
     EXPECT_EQ(fold < at, right) << task << ' ' << input;
   }
   if (!has_browser()) return;
-  const std::string watched = battery::sanitized ? "true" : "false";  // takes ten times as long, in wider numbers
-  const Outcome o = in_browser(page, "const watched = " + watched + R"(;
+  const Outcome o = in_browser(page, R"(
     const shown = selector => all(selector).filter(e => e.checkVisibility()).length;
     const folded = all('.fold article').length, unfolded = all('article[data-task]').length - folded;
     const result = [shown('article[data-task]') === unfolded, folded > 0];
     all('.fold').forEach(fold => { fold.open = true; });
     result.push(shown('article[data-task]') === unfolded + folded);
     const table = document.querySelector('.summary'), within = table.parentElement;  // of a window of 1200 pixels
-    result.push(watched || within.scrollWidth <= within.clientWidth);
+    for (const time of table.querySelectorAll('small')) time.textContent = '1,234';  // long on a machine that is busy
+    result.push(within.scrollWidth <= within.clientWidth);
     result.push(document.documentElement.scrollWidth <= window.innerWidth);
     document.body.replaceChildren(JSON.stringify(result));)");
   EXPECT_THAT(o.out, HasSubstr("[true,true,true,true,true]")) << o.err;

@@ -13,7 +13,7 @@
 // Each corner goes to a range of integers that holds its exact image, by interval arithmetic; ranges of midpoints are
 // made of these in integers, so that the cells of the parts of a triangle hold each of its points.  What is drawn is
 // rectangles of whole pixels with whole depths, which floats hold: their edges run half a pixel from the centers that
-// are asked, no depth is interpolated, and the card's arithmetic rounds nothing.  A common point is in a cell of both
+// are asked, no depth is interpolated, and shaders multiply by powers of two.  A common point is in a cell of both
 // bodies, and above and below a point inside of a solid its surface is drawn in the same pixel.  So a pixel always
 // says so.
 // A resolution that is no power of two from 16 to 1,024 throws Error, as does a GPU that fails; bodies throw as in a

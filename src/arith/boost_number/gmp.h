@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 
 #define GMP_NUMB_BITS 64
 using mp_limb_t = boost::multiprecision::limb_type;
@@ -88,7 +89,7 @@ inline mp_limb_t mpn_mul(mp_limb_t* r, const mp_limb_t* a, mp_size_t n, const mp
   return r[n + m - 1];
 }
 inline void mpn_sqr(mp_limb_t* r, const mp_limb_t* a, mp_size_t n) { mpn_mul(r, a, n, a, n); }
-/// By 1 to 63 bits.
+/// `bits` is from 1 to 63.
 inline mp_limb_t mpn_lshift(mp_limb_t* r, const mp_limb_t* a, mp_size_t n, unsigned bits) {
   const mp_limb_t over = a[n - 1] >> (GMP_NUMB_BITS - bits);
   for (mp_size_t i = n - 1; i > 0; --i) r[i] = a[i] << bits | a[i - 1] >> (GMP_NUMB_BITS - bits);

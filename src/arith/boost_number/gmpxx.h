@@ -151,7 +151,7 @@ class mpq_class {
   /// Toward zero.
   [[nodiscard]] double get_d() const {
     if (sgn(q_.numerator) == 0) return 0;
-    // Of 64 bits or 65: what the quotient's last bit leaves out is below what a double holds.
+    // The quotient has 64 bits or 65: what it leaves out is below what a double holds.
     const long shift = 65 + static_cast<long>(mpz_sizeinbase(get_den_mpz_t(), 2)) -
                        static_cast<long>(mpz_sizeinbase(get_num_mpz_t(), 2));
     const mpz_class &n = q_.numerator, &d = q_.denominator;

@@ -16,8 +16,9 @@ namespace {
 
 constexpr int side = 1 << Canvas::side_bits;
 
-// A rectangle of whole pixels, each of which has its center half a pixel within: doubled coordinates over a power of
-// two.
+// A rectangle of whole pixels, each of which has its center half a pixel within.  Shaders multiply whole numbers by powers
+// of two, which is exact; of quotients their language promises less.
+static_assert(Canvas::side_bits == 10 && CellView::depth_bits == 16, "the powers of two below are of these");
 constexpr const char* vertex_text = R"(#version 420 core
 layout(location = 0) in ivec4 pixels;
 layout(location = 1) in ivec2 depths_of;
@@ -36,7 +37,7 @@ void main() {
   corner += ivec2((gl_VertexID & 1) != 0 ? box.z + 1 : box.x, (gl_VertexID & 2) != 0 ? box.w + 1 : box.y);
   depths = depths_of;
   int half_side = 1 << (side_bits - 1);
-  gl_Position = vec4(vec2(corner - half_side) / float(half_side), 0.0, 1.0);
+  gl_Position = vec4(vec2(corner - half_side) * 0.001953125, 0.0, 1.0);  // 2^-9
 }
 )";
 
@@ -48,7 +49,7 @@ uniform bool is_asked;
 uniform bool from_behind;
 void main() {
   ivec2 d = from_behind ? ivec2(65535) - depths.yx : depths;
-  gl_FragDepth = float(is_asked ? d.y : d.x) / 65536.0;
+  gl_FragDepth = float(is_asked ? d.y : d.x) * 0.0000152587890625;  // 2^-16
 }
 )",
     // The least is kept of each number, so that of the greatest depth it is that of its negative.
@@ -278,6 +279,11 @@ void Canvas::upload(const std::vector<CellRange>& ranges) {
 
 void Canvas::use(Program program) { glUseProgram(programs_[static_cast<std::size_t>(program)]); }
 
+/// The program must be in use.
+void Canvas::set(Program program, const char* uniform, std::int32_t value) {
+  glUniform1i(glGetUniformLocation(programs_[static_cast<std::size_t>(program)], uniform), value);
+}
+
 void Canvas::draw(const RangeSpan& ranges) {
   if (ranges.count == 0) return;
   glDrawArraysInstancedBaseInstance(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(ranges.count),
@@ -303,9 +309,8 @@ void Canvas::clear_depths() {
   use(Program::depth);
 }
 void Canvas::ask_depths(const RangeSpan& ranges, std::size_t query, bool from_behind) {
-  const GLuint program = programs_[static_cast<std::size_t>(Program::depth)];
-  glUniform1i(glGetUniformLocation(program, "is_asked"), 1);
-  glUniform1i(glGetUniformLocation(program, "from_behind"), from_behind ? 1 : 0);
+  set(Program::depth, "is_asked", 1);
+  set(Program::depth, "from_behind", from_behind ? 1 : 0);
   glDepthFunc(GL_GEQUAL);
   glDepthMask(GL_FALSE);
   begin_query(query);
@@ -313,9 +318,8 @@ void Canvas::ask_depths(const RangeSpan& ranges, std::size_t query, bool from_be
   end_query();
 }
 void Canvas::draw_depths(const RangeSpan& ranges, bool from_behind) {
-  const GLuint program = programs_[static_cast<std::size_t>(Program::depth)];
-  glUniform1i(glGetUniformLocation(program, "is_asked"), 0);
-  glUniform1i(glGetUniformLocation(program, "from_behind"), from_behind ? 1 : 0);
+  set(Program::depth, "is_asked", 0);
+  set(Program::depth, "from_behind", from_behind ? 1 : 0);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   draw(ranges);
@@ -353,32 +357,25 @@ void Canvas::draw_slices(const RangeSpan& ranges) {
   glDisable(GL_COLOR_LOGIC_OP);
 }
 
-void Canvas::ask_spans(std::int32_t tile, std::size_t query) {
+void Canvas::ask(Program program, std::uint32_t of, const RangeSpan& ranges, std::size_t query) {
   glBindFramebuffer(GL_FRAMEBUFFER, query_target_);
-  glBindTexture(GL_TEXTURE_2D, spans_);
-  use(Program::compare);
-  const GLuint program = programs_[static_cast<std::size_t>(Program::compare)];
-  glUniform1i(glGetUniformLocation(program, "is_tile"), 1);
-  glUniform1i(glGetUniformLocation(program, "tile_asked"), tile);
+  glBindTexture(GL_TEXTURE_2D, of);
+  use(program);
   begin_query(query);
-  draw({0, 1});
+  draw(ranges);
   end_query();
+}
+void Canvas::ask_spans(std::int32_t tile, std::size_t query) {
+  use(Program::compare);
+  set(Program::compare, "is_tile", 1);
+  set(Program::compare, "tile_asked", tile);
+  ask(Program::compare, spans_, {0, 1}, query);
 }
 void Canvas::ask_ranges_in_spans(const RangeSpan& ranges, std::size_t query) {
-  glBindFramebuffer(GL_FRAMEBUFFER, query_target_);
-  glBindTexture(GL_TEXTURE_2D, spans_);
-  use(Program::in_spans);
-  begin_query(query);
-  draw(ranges);
-  end_query();
+  ask(Program::in_spans, spans_, ranges, query);
 }
 void Canvas::ask_ranges_in_slices(const RangeSpan& ranges, std::size_t query) {
-  glBindFramebuffer(GL_FRAMEBUFFER, query_target_);
-  glBindTexture(GL_TEXTURE_2D, slices_);
-  use(Program::in_slices);
-  begin_query(query);
-  draw(ranges);
-  end_query();
+  ask(Program::in_slices, slices_, ranges, query);
 }
 
 std::vector<bool> Canvas::read(std::size_t count) {

@@ -75,6 +75,9 @@ class Canvas {
  private:
   enum class Program : unsigned char { depth, span, slices, compare, in_spans, in_slices };
   void use(Program program);
+  void set(Program program, const char* uniform, std::int32_t value);
+  /// Draws ranges by a program that reads what was drawn, and asks whether any pixel is left.
+  void ask(Program program, std::uint32_t of, const RangeSpan& ranges, std::size_t query);
   void draw(const RangeSpan& ranges);
   void begin_query(std::size_t query);
   void end_query();

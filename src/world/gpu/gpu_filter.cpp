@@ -51,18 +51,10 @@ struct Scene {
     std::vector<Aabb3> boxes;
     for (const DrawnShape& s : shapes) boxes.push_back(s.box);
     std::vector<BoxPair> pairs = overlapping_pairs(boxes);
-    for (BoxPair& p : pairs)
-      if (p.a > p.b) std::swap(p.a, p.b);
     std::ranges::sort(pairs);
     return pairs;
   }
-  [[nodiscard]] Relation relation(const BoxPair& p) const {
-    Relation most = Relation::disjoint;
-    for (const world::Placed& a : placed[p.a])
-      for (const world::Placed& b : placed[p.b])
-        if (most != Relation::overlapping) most = std::max(most, world::relation(a, b));
-    return most;
-  }
+  [[nodiscard]] Relation relation(const BoxPair& p) const { return world::relation_of_parts(placed[p.a], placed[p.b]); }
 };
 
 template <class Draw>

@@ -1,8 +1,10 @@
 #include "world/gpu/shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -34,8 +36,8 @@ class Collector {
   void face(std::uint32_t a, std::uint32_t b, std::uint32_t c) { into_.faces.push_back({a, b, c}); }
   void surface(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     face(a, b, c);
-    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-      if (p <= q || !has_edge(q, p)) into_.edges.push_back({p, q});
+    for (const auto& [p, q] : {std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)})
+      if (kept_.insert({p, q}).second) into_.edges.push_back({p, q});
   }
   /// The faces of a box whose corner i is beyond the middle along axis k where bit k of i is set.
   void box(std::uint32_t first) {
@@ -52,13 +54,11 @@ class Collector {
   void add(const Aabb3& box) {
     into_.corners.push_back(pose_.index() == 0 ? box : box_of_figure(AnyFigure(box).under(pose_)));
   }
-  /// Faces of a closed mesh have each edge both ways, one of which is left out.
-  bool has_edge(std::uint32_t a, std::uint32_t b) { return !kept_.insert({a, b}).second; }
 
   DrawnShape& into_;
   AnyPose pose_;
   std::map<std::tuple<double, double, double>, std::uint32_t> known_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> kept_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> kept_;  // edges, each of which two faces of a closed mesh have
 };
 
 /// The corners of the parallelepiped, nothing where a double may not hold one.

@@ -134,9 +134,8 @@ void put_upon(RigidCase& by, int dimension, const Pieces& first, const Pieces& s
 template <class All>
 void judge(All all, const PairRow& row, Material& m, Seen& seen) {
   const bool is_degenerate = m.below(2) == 0;
-  const AnyFigure drawn_a = is_degenerate ? degenerate(*row.a, m) : figure(*row.a, m);
+  const AnyFigure a = is_degenerate ? degenerate(*row.a, m) : figure(*row.a, m);
   AnyFigure b = m.below(4) == 0 ? degenerate(*row.b, m) : near_figure(*row.b, m);
-  const AnyFigure& a = drawn_a;
   auto by = poses_of_two(m);
   const Judged p = judged(all, a, by[0]);
   Judged q = judged(all, b, by[1]);

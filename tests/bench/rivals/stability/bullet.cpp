@@ -1,6 +1,7 @@
 // btCollisionWorld: a pair is told where its manifold has a point whose distance is 0 at most.
 #include <btBulletCollisionCommon.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "bench/rivals/stability/rival.hpp"

@@ -4,6 +4,7 @@
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/collision.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "bench/rivals/stability/rival.hpp"
