@@ -14,6 +14,8 @@
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/pairs/neighbors.hpp"
 #include "space/bvh/slot_boxes.hpp"
+#include "space/pairs/simple_stars.hpp"
+#include "space/pairs/slot_mesh.hpp"
 
 namespace plumb::space {
 
@@ -22,73 +24,22 @@ struct SlotPair {
   std::uint32_t a, b;
 };
 
-/// The corners in slots, out of their packed numbers.
-struct PackedCorners {
-  PackedView numbers;
-  [[nodiscard]] Bvh::Corners operator[](std::size_t slot) const {
-    return {numbers[3 * slot], numbers[3 * slot + 1], numbers[3 * slot + 2]};
-  }
-};
-
-/// How the parts of a mesh are kept: each is asked by its slot.
-template <class Mesh>
-struct MeshParts;
-template <>
-struct MeshParts<Bvh> {
-  std::span<const BoxNode> nodes;
-  std::span<const WideNode<8>> wide_nodes;
-  std::span<const std::uint32_t> items;
-  std::span<const Bvh::Corners> triangles;
-  explicit MeshParts(const Bvh& bvh)
-      : nodes(bvh.tree.nodes.view()),
-        wide_nodes(bvh.wide.nodes.view()),
-        items(bvh.tree.items.view()),
-        triangles(bvh.triangles.view()) {}
-};
-template <>
-struct MeshParts<CompactBvh> {
-  CompactPlaces nodes;
-  PackedView items;
-  PackedCorners triangles;
-  explicit MeshParts(const CompactBvh& bvh)
-      : nodes(bvh.tree), items(bvh.numbers.view()), triangles{bvh.corners.view()} {}
-};
-
-template <class Mesh>
-struct SlotMesh : MeshParts<Mesh> {
-  explicit SlotMesh(const Mesh& bvh) : MeshParts<Mesh>(bvh), vertices(bvh.vertices.view()), frame(bvh.tree.frame) {}
-  [[nodiscard]] Triangle3 triangle(std::size_t slot) const {
-    const Bvh::Corners& c = this->triangles[slot];
-    return {vertices[c[0]], vertices[c[1]], vertices[c[2]]};
-  }
-  [[nodiscard]] std::uint32_t number(std::uint32_t slot) const { return this->items[slot]; }
-  [[nodiscard]] Aabb3 box(std::uint32_t slot) const { return box_around(this->triangles[slot], vertices); }
-  [[nodiscard]] Relation relation(std::uint32_t slot, const SlotMesh& other, std::uint32_t slot_of_other) const {
-    return relate(triangle(slot), other.triangle(slot_of_other));
-  }
-  [[nodiscard]] Relation relation_in_mesh(std::uint32_t a, std::uint32_t b) const {
-    return relate_in_mesh(vertices, this->triangles[a], this->triangles[b]);
-  }
-  /// In doubles, outside of the frame.
-  [[nodiscard]] Aabb3 box_of(const BoxNode& n) const {
-    if (frame.exponent() != 0) return frame.outside(n.box());
-    return {{n.min[0], n.min[1], n.min[2]}, {n.max[0], n.max[1], n.max[2]}};
-  }
-  std::span<const Point3> vertices;
-  BoxFrame frame;
-};
-
 /// Do the triangles of two slots meet?  Of a SlotMesh or PosedSlots.
 template <class Slots>
 class JudgedPair {
  public:
-  JudgedPair(const Slots& a, const Slots& b, bool is_own) : a_(a), b_(b), is_own_(is_own) {}
+  /// `stars` are of a mesh that is asked about itself, where there are any.
+  JudgedPair(const Slots& a, const Slots& b, bool is_own, const SimpleStars* stars)
+      : a_(a), b_(b), is_own_(is_own), stars_(stars) {}
 
   /// take(TrianglePair, SlotPair) where they do; it may say Descent::stop.
   template <class Take>
   Descent operator()(SlotPair slots, const Take& take) const {
     std::uint32_t item_a = a_.number(slots.a), item_b = b_.number(slots.b);
     if (is_own_ && item_a == item_b) return Descent::go_on;  // one triangle in two slots
+    if constexpr (requires { a_.triangles; }) {
+      if (stars_ != nullptr && stars_->tell_apart(a_.triangles[slots.a], a_.triangles[slots.b])) return Descent::go_on;
+    }
     const Relation relation = is_own_ ? a_.relation_in_mesh(slots.a, slots.b) : a_.relation(slots.a, b_, slots.b);
     if (relation == Relation::disjoint) return Descent::go_on;
     if (is_own_ && item_b < item_a) std::swap(item_a, item_b);
@@ -98,13 +49,15 @@ class JudgedPair {
  private:
   const Slots &a_, &b_;
   bool is_own_;
+  const SimpleStars* stars_;
 };
 
 /// What a search asks of two leaves: which slots' triangles meet.
 template <class Slots>
 class LeafPairs {
  public:
-  LeafPairs(const Slots& a, const Slots& b, bool is_own) : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
+  LeafPairs(const Slots& a, const Slots& b, bool is_own, const SimpleStars* stars = nullptr)
+      : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own, stars) {}
 
   /// Calls take(TrianglePair, SlotPair) for each pair of leaves in such boxes; it may say Descent::stop.
   template <class Node, class Take>

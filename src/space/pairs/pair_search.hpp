@@ -38,7 +38,7 @@ template <class Source>
 class PairSearch {
  public:
   PairSearch(const char* function, const Source& a, const Source& b, bool own, const PairOptions& options)
-      : function_(function), a_(a), b_(b), own_(own), options_(options) {}
+      : function_(function), source_(a), a_(a), b_(b), own_(own), options_(options) {}
 
   /// begin(n), then take(part, pair, slots) for each pair that was asked for, from several threads; parts are below n.
   template <class Begin, class Take>
@@ -85,8 +85,9 @@ class PairSearch {
       }
     }
     begin(all.size());
+    StarsOfSearch<Source> stars(source_, own_, execution);
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
-      WideLeafPairs leaves(a_, b_, own_);
+      WideLeafPairs leaves(a_, b_, own_, stars.before(part));
       const auto found = asked_for(part, take);
       std::vector<WidePair> later{all[part]};
       while (!later.empty()) {
@@ -133,8 +134,9 @@ class PairSearch {
     };
     const auto all = pair_parts(as, bs, wanted, down, meet);
     begin(all.size());
+    StarsOfSearch<Source> stars(source_, own_, execution);
     for_parts(function_, execution, options_.progress, all.size(), [&](std::size_t part) {
-      LeafPairs leaves(a_, b_, own_);
+      LeafPairs leaves(a_, b_, own_, stars.before(part));
       const auto found = asked_for(part, take);
       const auto visit = [&](const auto& leaf_a, const auto& leaf_b) {
         return leaves(leaf_a, a_.box_of(leaf_a), leaf_b, b_.box_of(leaf_b), found);
@@ -144,6 +146,7 @@ class PairSearch {
   }
 
   const char* function_;
+  const Source& source_;  // the first
   typename PairSlotsOf<Source>::type a_, b_;
   bool own_;
   const PairOptions& options_;

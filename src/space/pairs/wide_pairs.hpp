@@ -77,8 +77,8 @@ class WideChildren {
 /// What a search asks of two leaves of wide trees; the last that were read are kept.
 class WideLeafPairs {
  public:
-  WideLeafPairs(const SlotMesh<Bvh>& a, const SlotMesh<Bvh>& b, bool is_own)
-      : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own) {}
+  WideLeafPairs(const SlotMesh<Bvh>& a, const SlotMesh<Bvh>& b, bool is_own, const SimpleStars* stars)
+      : a_(a), b_(b), is_own_(is_own), judge_(a, b, is_own, stars) {}
 
   /// take(TrianglePair, SlotPair) of each pair; it may say Descent::stop.
   template <class Take>

@@ -16,9 +16,10 @@
 // progress may stop each of these (plumb/space/bvh/progress.hpp).
 // Source: RTCD 3.2, 4.2.6, 5.2.10, 6.3.3; Guigue and Devillers 2003.
 // Cost: comparisons of boxes for each pair of wide nodes that may meet, and of triangles with planes for those of
-// leaves, eight at once; relate for those that are left; sorting in linear time.  Under one regular pose the same; under
-// others a box for each node, and some 300 ns for each pair of triangles whose boxes meet; some 10 us where one is a
-// segment or a point, and 100 for what a pair has in common.  A Bvh beside a CompactBvh is made compact first.  Bounded
+// leaves, eight at once; relate for those that are left; sorting in linear time.  Of one mesh neighbors are told apart
+// around each vertex at once, by three signs a triangle, and by relate_in_mesh where that tells nothing.  Under one regular
+// pose the same; under others a box for each node, and some 300 ns for each pair of triangles whose boxes meet; some 10 us
+// where one is a segment or a point, and 100 for what a pair has in common.  A Bvh beside a CompactBvh is made compact first.  Bounded
 // by n^2 tests of pairs, on integers as long as the exponents' span.
 #pragma once
 
