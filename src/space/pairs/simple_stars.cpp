@@ -146,11 +146,10 @@ class Star {
   bool is_closed_ = false;
 };
 
-}  // namespace
-
+/// One for each vertex: is its star simple?
 template <class Mesh>
-SimpleStars::SimpleStars(const SlotMesh<Mesh>& mesh, std::size_t slots, Execution execution)
-    : is_simple_(mesh.vertices.size()) {
+std::vector<std::uint8_t> find_simple(const SlotMesh<Mesh>& mesh, std::size_t slots, Execution execution) {
+  std::vector<std::uint8_t> is_simple(mesh.vertices.size());
   const SlotsAround around(mesh, slots);
   std::vector<Shown> shown(slots);
   for_blocks(execution, slots, 4096, [&](std::size_t, std::size_t from, std::size_t to) {
@@ -161,10 +160,17 @@ SimpleStars::SimpleStars(const SlotMesh<Mesh>& mesh, std::size_t slots, Executio
     for (std::size_t v = from; v < to; ++v) {
       const std::span<const std::uint32_t> here(around.slot.data() + around.first[v],
                                                 around.first[v + 1] - around.first[v]);
-      is_simple_[v] = star.is_simple(mesh, static_cast<std::uint32_t>(v), here, shown) ? 1 : 0;
+      is_simple[v] = star.is_simple(mesh, static_cast<std::uint32_t>(v), here, shown) ? 1 : 0;
     }
   });
+  return is_simple;
 }
+
+}  // namespace
+
+template <class Mesh>
+SimpleStars::SimpleStars(const SlotMesh<Mesh>& mesh, std::size_t slots, Execution execution)
+    : is_simple_(find_simple(mesh, slots, execution)) {}
 template SimpleStars::SimpleStars(const SlotMesh<Bvh>&, std::size_t, Execution);
 template SimpleStars::SimpleStars(const SlotMesh<CompactBvh>&, std::size_t, Execution);
 
