@@ -127,14 +127,26 @@ bool is_rational(const Point& point) {
   return std::visit([](const auto& p) { return RationalPoint<std::remove_cvref_t<decltype(p)>>; }, point.as());
 }
 
-/// Looks which coordinates are doubles.
+/// Looks which coordinates of a settled point are doubles.
 template <std::size_t N, class Point>
 void settle_axes(const Point& point) {
-  if (point.cache().place() != nullptr) return;
-  const std::array<Ball, N> balls = balls_of(point);
+  const auto& cache = point.cache();
+  if (cache.place() != nullptr || cache.are_axes_settled()) return;
   std::array<bool, N> exact;
-  for (std::size_t i = 0; i < N; ++i) exact[i] = balls[i].radius == 0 && balls[i].low == 0;
-  point.cache().keep_exact(exact);
+  const auto is_nearest = [&](std::size_t i, const Rational& x) {
+    return std::isfinite(cache.nearest(i)) && x == Rational(cache.nearest(i));
+  };
+  const auto look = [&](const auto& p) {
+    if constexpr (RationalPoint<std::remove_cvref_t<decltype(p)>>) {
+      std::size_t i = 0;
+      std::apply([&](const auto*... x) { ((exact[i] = is_nearest(i, *x), ++i), ...); }, certify::meeting::parts(p));
+    } else {
+      const std::array<Ball, N> balls = balls_of(point);
+      for (std::size_t i = 0; i < N; ++i) exact[i] = balls[i].radius == 0 && balls[i].low == 0;
+    }
+  };
+  std::visit(look, point.as());
+  cache.keep_exact(exact);
 }
 
 template <std::size_t N, class Point>

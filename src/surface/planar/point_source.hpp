@@ -67,13 +67,21 @@ class GivenPoints : public Labels {
   std::vector<Point2> at_;
 };
 
+/// On which lines a point is known to be: a bit for each.
+using KnownLines = std::uint64_t;
+
 /// Points that were constructed, by their places in an array that outlives this.
 class ExactPoints : public Labels {
  public:
-  ExactPoints(std::span<const ExactPoint2> points, std::vector<std::uint32_t> order)
-      : Labels(std::move(order)), points_(points) {}
+  /// `lines`, of each point or of none, save the signs of points that are on one line.
+  ExactPoints(std::span<const ExactPoint2> points, std::vector<std::uint32_t> order,
+              std::span<const KnownLines> lines = {})
+      : Labels(std::move(order)), points_(points), lines_(lines) {}
 
-  [[nodiscard]] Sign orient(Vertex a, Vertex b, Vertex c) const { return orient2d(at(a), at(b), at(c)); }
+  [[nodiscard]] Sign orient(Vertex a, Vertex b, Vertex c) const {
+    if (!lines_.empty() && (lines_[label(a)] & lines_[label(b)] & lines_[label(c)]) != 0) return Sign::zero;
+    return orient2d(at(a), at(b), at(c));
+  }
   [[nodiscard]] Sign in_circle(Vertex a, Vertex b, Vertex c, Vertex d) const {
     return incircle(at(a), at(b), at(c), at(d));
   }
@@ -83,6 +91,7 @@ class ExactPoints : public Labels {
   [[nodiscard]] const ExactPoint2& at(Vertex v) const { return points_[label(v)]; }
 
   std::span<const ExactPoint2> points_;  // all different, so that no label changes
+  std::span<const KnownLines> lines_;
 };
 
 }  // namespace plumb::surface

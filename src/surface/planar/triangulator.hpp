@@ -67,12 +67,13 @@ class Triangulator {
   Triangles triangles_;
 };
 
-/// Of points of which no two are equal.
-inline Triangulator<ExactPoints> triangulator_of(std::span<const ExactPoint2> points) {
+/// Of points of which no two are equal; `lines` as ExactPoints takes them, and as long as the triangulator is asked.
+inline Triangulator<ExactPoints> triangulator_of(std::span<const ExactPoint2> points,
+                                                 std::span<const KnownLines> lines = {}) {
   std::vector<Point2> near;
   near.reserve(points.size());
   for (const ExactPoint2& p : points) near.push_back(approximate(p));
-  return Triangulator(ExactPoints(points, insertion_order(near)));
+  return Triangulator(ExactPoints(points, insertion_order(near), lines));
 }
 
 inline Triangulator<GivenPoints> triangulator_of(std::span<const Point2> points) {

@@ -67,7 +67,7 @@ void add_sources(const FacePool& pool, std::span<const surface::CoveringFace> co
 
 Arrangement surface::arranged(FacePool pool, Pieces pieces) {
   if (pieces == Pieces::of_polygons) pool = surface::join_coplanar_faces(std::move(pool));
-  const Bvh bvh = build_bvh(pool.mesh);
+  const Bvh bvh = build_bvh(pool.mesh, {.method = BvhMethod::linear});  // which is asked once
   PointTable table(pool.points());
   const FacetList list = surface::divide_planes(pool, table, surface::find_plane_classes(pool, bvh, table));
   const SideSets sets = surface::join_sides(list, table);

@@ -51,7 +51,7 @@ class SegmentDivider {
 
  private:
   [[nodiscard]] Sign side(const SegmentEnds& s, std::uint32_t p) const {
-    if (s[0] == s[1] || p == s[0] || p == s[1]) return Sign::zero;
+    if (s[0] == s[1] || p == s[0] || p == s[1] || points_.is_noted_on(p, s)) return Sign::zero;
     return orient2d(points_.seen(s[0]), points_.seen(s[1]), points_.seen(p));
   }
   /// The point is on the line of the segment.

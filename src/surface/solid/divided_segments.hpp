@@ -6,6 +6,7 @@
 // Cost: four signs for each pair whose boxes meet; some 10 us for each crossing.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -30,6 +31,11 @@ class SeenPoints {
   [[nodiscard]] const ExactPoint2& seen(std::uint32_t i) const { return seen_[i]; }
   /// Gives the point away, after which nothing is seen of it.
   ExactPoint2 take_seen(std::uint32_t i) { return std::move(seen_[i]); }
+  /// Is the point known to be on the line of the segment, without a sign?
+  [[nodiscard]] bool is_noted_on(std::uint32_t i, const std::array<std::uint32_t, 2>& ends) const {
+    const std::uint32_t a = numbers_[ends[0]], b = numbers_[ends[1]];
+    return table_.is_noted_on(numbers_[i], {std::min(a, b), std::max(a, b)});
+  }
   [[nodiscard]] HeldPoint point(std::uint32_t i) const { return table_.points().at(numbers_[i]); }
 
  private:

@@ -4,6 +4,7 @@
 
 #include "plumb/predicates.hpp"
 #include "plumb/space/pairs/mesh_pairs.hpp"
+#include "surface/planar/triangles.hpp"
 #include "surface/repair/point_order.hpp"
 
 namespace plumb::surface {
@@ -30,6 +31,24 @@ ExactPoint3 named_alike(const ExactPoint3& p) {
   return LinePlanePoint3{line[0], line[1], plane[0], plane[1], plane[2]};
 }
 
+/// The number of a point that is passed to the table, which learns which edge of either face it is on.
+std::uint32_t noted_number(const FacePool& pool, const TrianglePair& pair, const ExactPoint3& point,
+                           PointTable& table) {
+  ExactPoint3 named = named_alike(point);
+  std::array<std::uint32_t, 2> edge{none, none};
+  if (const auto* made = std::get_if<LinePlanePoint3>(&named.as())) {
+    for (const std::uint32_t face : {pair.a, pair.b}) {
+      for (const std::uint32_t v : pool.mesh.triangles[face]) {
+        if (pool.mesh.vertices[v] == made->p) edge[0] = v;
+        if (pool.mesh.vertices[v] == made->q) edge[1] = v;
+      }
+    }
+  }
+  const std::uint32_t number = table.number_of(std::move(named));
+  if (edge[0] != none && edge[1] != none) table.note_line(number, edge);
+  return number;
+}
+
 }  // namespace
 
 FaceContacts find_face_contacts(const FacePool& pool, const Bvh& bvh, PointTable& table) {
@@ -46,8 +65,8 @@ FaceContacts find_face_contacts(const FacePool& pool, const Bvh& bvh, PointTable
   for (std::size_t i = 0; i < across.size(); ++i) {
     const std::vector<ExactPoint3>& ends = common[i].vertices;
     if (ends.empty()) continue;
-    const std::uint32_t from = table.number_of(named_alike(ends.front()));
-    const std::uint32_t to = ends.size() == 1 ? from : table.number_of(named_alike(ends.back()));
+    const std::uint32_t from = noted_number(pool, across[i], ends.front(), table);
+    const std::uint32_t to = ends.size() == 1 ? from : noted_number(pool, across[i], ends.back(), table);
     found.across.push_back({{across[i].a, across[i].b}, {std::min(from, to), std::max(from, to)}});
   }
   return found;

@@ -137,8 +137,11 @@ class HeldContacts {
 
   [[nodiscard]] std::uint32_t number_of(const FaceCorners& a, std::uint32_t p, std::uint32_t q) {
     const auto place = [&](std::uint32_t v) { return certify::meeting::coordinates_in<BigDyadic>(points_.at(v)); };
-    return table_.number_of(
-        line_through_plane(place(std::min(p, q)), place(std::max(p, q)), {place(a[0]), place(a[1]), place(a[2])}));
+    const std::array<std::uint32_t, 2> edge{std::min(p, q), std::max(p, q)};
+    const std::uint32_t number = table_.number_of(
+        line_through_plane(place(edge[0]), place(edge[1]), {place(a[0]), place(a[1]), place(a[2])}));
+    table_.note_line(number, edge);
+    return number;
   }
 
   const FacePool& pool_;

@@ -9,6 +9,7 @@ namespace plumb::surface {
 
 Sign NumberedPoints::order(std::uint32_t a, std::uint32_t b) const {
   if (is_given(a) && is_given(b)) return sign_of_number((a > b) - (a < b));  // as they ascend
+  if (!is_given(a) && !is_given(b)) return compare_xyz(held[a - given.size()], held[b - given.size()]);
   return compare_xyz(at(a), at(b));
 }
 

@@ -18,7 +18,8 @@ class PlaneDivider {
     collect_segments();
     const auto along = points_along(points_, segments_);
     rank_points();
-    auto made = triangulator_of(std::span<const ExactPoint2>(ranked_));
+    const std::vector<KnownLines> lines = lines_of_points(along);
+    auto made = triangulator_of(std::span<const ExactPoint2>(ranked_), lines);
     std::vector<std::array<std::uint32_t, 2>> pieces;
     for (const auto& a : along)
       for (std::size_t k = 1; k < a.size(); ++k) pieces.push_back({rank_[a[k - 1]], rank_[a[k]]});
@@ -91,6 +92,14 @@ class PlaneDivider {
       rank_[of_rank_[r]] = r;
       ranked_.push_back(points_.take_seen(of_rank_[r]));
     }
+  }
+
+  /// The segments that each point is on, of the first of them.
+  [[nodiscard]] std::vector<KnownLines> lines_of_points(const std::vector<std::vector<std::uint32_t>>& along) const {
+    std::vector<KnownLines> lines(rank_.size());
+    for (std::size_t i = 0; i < along.size() && i < 64; ++i)
+      for (const std::uint32_t p : along[i]) lines[rank_[p]] |= KnownLines{1} << i;
+    return lines;
   }
 
   struct CoveredTriangle {

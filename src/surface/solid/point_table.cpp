@@ -24,6 +24,8 @@ ExactPoint3 in_plain_form(ExactPoint3 p) {
   if (is_double[0] && is_double[1] && is_double[2]) return Point3{nearest.x + 0.0, nearest.y + 0.0, nearest.z + 0.0};
   ExactPoint3 plain(std::move(exact));
   plain.cache().keep({nearest.x, nearest.y, nearest.z}, is_double);  // so that its copies have them
+  plain.cache().keep_exact(is_double);
+  if (const auto* place = p.cache().place(); place != nullptr) plain.cache().keep(certify::shared(place));
   return plain;
 }
 
@@ -51,6 +53,19 @@ std::uint32_t PointTable::number_of(ExactPoint3 point) {
   const auto [at, is_new] = constructions_.try_emplace(*construction, none);
   if (is_new) at->second = number_of_place(std::move(point));
   return at->second;
+}
+
+void PointTable::note_line(std::uint32_t number, const std::array<std::uint32_t, 2>& line) {
+  if (is_given(number)) return;
+  constexpr std::array<std::uint32_t, 2> free{none, none};
+  const std::size_t place = number - given_.size();
+  if (lines_.size() <= place) lines_.resize(place + 1, TwoLines{free, free});
+  for (auto& of : lines_[place]) {
+    if (of == line) return;
+    if (of != free) continue;
+    of = line;
+    return;
+  }
 }
 
 std::uint32_t PointTable::number_of_place(ExactPoint3 point) {

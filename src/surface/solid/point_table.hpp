@@ -7,6 +7,7 @@
 // the same construction comes again.
 #pragma once
 
+#include <array>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
@@ -33,6 +34,14 @@ class PointTable {
   [[nodiscard]] bool is_given(std::uint32_t number) const { return number < given_.size(); }
   [[nodiscard]] const Point3& given(std::uint32_t number) const { return given_[number]; }
   std::uint32_t number_of(ExactPoint3 point);
+  /// Remembers that a point that is not given is on the line through these two, which saves signs that would be zero.  Two
+  /// lines a point are kept.
+  void note_line(std::uint32_t number, const std::array<std::uint32_t, 2>& line);
+  [[nodiscard]] bool is_noted_on(std::uint32_t number, const std::array<std::uint32_t, 2>& line) const {
+    if (is_given(number) || number - given_.size() >= lines_.size()) return false;
+    const auto& of = lines_[number - given_.size()];
+    return of[0] == line || of[1] == line;
+  }
   /// How many of the points as given come before this one?
   [[nodiscard]] std::uint32_t given_before(const ExactPoint3& point) const;
   /// Gives up the points that are not given, in order of their numbers; nothing may be asked about them after it.
@@ -62,6 +71,8 @@ class PointTable {
 
   std::span<const Point3> given_;
   std::vector<ExactPoint3> made_;
+  using TwoLines = std::array<std::array<std::uint32_t, 2>, 2>;
+  std::vector<TwoLines> lines_;  // of points that were made, as far as they are noted
   std::unordered_set<std::uint32_t, HashOfPlace, SamePlace> places_{0, HashOfPlace{&made_}, SamePlace{&made_}};
   std::unordered_map<LinePlanePoint3, std::uint32_t, HashOfConstruction> constructions_;
 };

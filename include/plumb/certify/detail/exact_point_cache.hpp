@@ -61,6 +61,8 @@ class ExactPointCache {
   [[nodiscard]] bool is_exact(std::size_t axis) const {
     return (exact_axes_.load(std::memory_order_relaxed) >> axis & 1) != 0;
   }
+  /// Are the others known not to be?
+  [[nodiscard]] bool are_axes_settled() const { return (exact_axes_.load(std::memory_order_relaxed) & settled) != 0; }
   [[nodiscard]] bool is_known() const {
     bool known = true;
     for (std::size_t i = 0; i < N; ++i) known = known && nearest(i) == nearest(i);
@@ -68,13 +70,10 @@ class ExactPointCache {
   }
   void keep(const std::array<double, N>& nearest, const std::array<bool, N>& exact) const {
     for (std::size_t i = 0; i < N; ++i) nearest_[i].store(nearest[i], std::memory_order_relaxed);
-    keep_exact(exact);
+    add_axes(exact, 0);
   }
-  void keep_exact(const std::array<bool, N>& exact) const {
-    unsigned axes = 0;
-    for (std::size_t i = 0; i < N; ++i) axes |= static_cast<unsigned>(exact[i]) << i;
-    exact_axes_.fetch_or(static_cast<unsigned char>(axes), std::memory_order_relaxed);
-  }
+  /// Each axis was looked at, so that nobody need do it again.
+  void keep_exact(const std::array<bool, N>& exact) const { add_axes(exact, settled); }
 
   [[nodiscard]] const ExactPlace<N>* place() const { return place_.load(std::memory_order_acquire); }
   /// Takes it over, unless another thread was faster.
@@ -87,8 +86,12 @@ class ExactPointCache {
 
  private:
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  static constexpr unsigned char every_axis = (1u << N) - 1;
+  static constexpr unsigned char every_axis = (1u << N) - 1, settled = 0x80;
 
+  void add_axes(const std::array<bool, N>& exact, unsigned axes) const {
+    for (std::size_t i = 0; i < N; ++i) axes |= static_cast<unsigned>(exact[i]) << i;
+    exact_axes_.fetch_or(static_cast<unsigned char>(axes), std::memory_order_relaxed);
+  }
   void take_doubles(const ExactPointCache& other) {
     for (std::size_t i = 0; i < N; ++i) nearest_[i].store(other.nearest(i), std::memory_order_relaxed);
     exact_axes_.store(other.exact_axes_.load(std::memory_order_relaxed), std::memory_order_relaxed);
