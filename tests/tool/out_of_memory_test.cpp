@@ -184,7 +184,7 @@ const std::vector<Writer> writers{
      {"repair", "part.obj", "--output", "a.ply", "--json", "a.json", "--page", "a.html", "--overwrite"},
      {"a.ply", "a.json", "a.html"}},
     {.name = "replay",
-     .words = {"replay", "questions.txt", "--out", "a.txt", "--json", "a.json", "--overwrite"},
+     .words = {"replay", "questions.txt", "--out", "a.txt", "--json", "a.json", "--page", "a.html", "--overwrite"},
      .outputs = {"a.txt", "a.json"}},
     {.name = "proof", .words = {"proof", "orient2d", "--out", "a.g"}, .outputs = {"a.g"}, .is_hungry = false},
     {.name = "fuzz",

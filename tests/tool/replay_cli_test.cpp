@@ -4,8 +4,10 @@
 #include <fstream>
 #include <string>
 
+#include "plumb/query/variant/question_line.hpp"
 #include "plumb/query/variant/question_recorder.hpp"
 #include "plumb/query/variant/questions.hpp"
+#include "tool/browser.hpp"
 #include "tool/matchers.hpp"
 #include "tool/run_program.hpp"
 
@@ -70,6 +72,108 @@ TEST(Replay, AsksWhatARingKept) {
   const Outcome o = run(in(folder) + "game.ring");
   EXPECT_EQ(o.code, 0) << o.out << o.err;
   EXPECT_THAT(o.out, HasSubstr("answered as before"));
+}
+
+json scene_in(const std::string& page) {
+  const std::string begin = "id=\"raw\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  return json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+TEST(Replay, APageShowsTheQuestionThatDiffers) {
+  const Folder folder;
+  write(folder, "q.txt",
+        "distance | point3 0 0 0 | point3 3 4 0 = 0x1.4p+2\n"
+        "relate | tetrahedron3 0 0 0 1 0 0 0 1 0 0 0 1 | obb3 2 2 2 1 0 0 0 1 0 0 0 1 0.5 0.5 0.5 rigid 3 1 0 1 0 0 0 "
+        "= touching\n"
+        "first_hit | ray3 -3 0 0 1 0 0 | ball3 0 0 0 1\n");
+  EXPECT_EQ(run(in(folder) + "q.txt --page why.html").code, 1);
+  const std::string page = content(folder / "why.html");
+  EXPECT_THAT(page, AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("q.txt, line 2"), HasSubstr("is proved"),
+                          HasSubstr("<em>(otherwise)</em>"),
+                          testing::Not(testing::AnyOf(HasSubstr("http:"), HasSubstr("https:"), HasSubstr("src=\"")))));
+  const json told = scene_in(page), scene = told.at("scene");
+  EXPECT_EQ(told.at("question").at("line"), 2);
+  EXPECT_EQ(told.at("question").at("is"), "disjoint");
+  EXPECT_EQ(scene.at("bodies").at(0).at("points").size(), 4U);
+  EXPECT_EQ(scene.at("bodies").at(1).at("points").size(), 8U);
+  EXPECT_EQ(scene.at("bodies").at(1).at("edges").size(), 12U);
+  EXPECT_EQ(scene.at("marks").size(), 1U) << "the closest points";
+  EXPECT_GE(scene.at("steps").size(), 2U);
+
+  const Outcome again = run(in(folder) + "q.txt --page why.html --question 3");
+  EXPECT_EQ(again.code, 2) << "no file is replaced that was not to be";
+  EXPECT_THAT(again.err, AllOf(HasSubstr("why.html"), HasSubstr("--overwrite")));
+  EXPECT_EQ(content(folder / "why.html"), page);
+  EXPECT_EQ(run(in(folder) + "q.txt --page hit.html --question 3").code, 1);
+  EXPECT_EQ(scene_in(content(folder / "hit.html")).at("question").at("line"), 3);
+  const Outcome none = run(in(folder) + "q.txt --page none.html --question 9");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("line 9 is no question"));
+  EXPECT_EQ(run("test -e " + (folder / "none.html")).code, 1);
+  EXPECT_EQ(run(in(folder) + "q.txt --question 1").code, 2);
+
+  if (!has_browser()) return;
+  const Outcome shown = in_browser(page, R"(addEventListener('DOMContentLoaded', () => {
+const find = id => document.getElementById(id), said = [], lines = id => find(id).querySelectorAll('line').length;
+said.push(!find('stage').hidden, lines('bodies') >= 18, find('told').textContent);
+find('after').click();
+said.push(find('told').textContent, find('bodies').querySelectorAll('circle').length > 4, lines('differences') > 0);
+said.push([...document.querySelectorAll('tr.fails')].map(row => row.dataset.step).join());
+document.title = 'said ' + said.join(' ');
+}))");
+  EXPECT_THAT(shown.out, HasSubstr("said true true 1 of 2 2 of 2 true true 1")) << shown.err;
+  const Outcome hit = in_browser(content(folder / "hit.html"), R"(addEventListener('DOMContentLoaded', () => {
+const find = id => document.getElementById(id);
+document.title = ['said', find('bodies').querySelectorAll('line').length > 100, find('step').offsetParent === null].join(' ');
+}))");
+  EXPECT_THAT(hit.out, HasSubstr("said true true")) << hit.err;
+}
+
+// Whatever is asked, of whichever figures, there is something to look at, or it is said why not.
+TEST(Replay, EveryQuestionHasAPage) {
+  const Folder folder;
+  std::string lines;
+  std::size_t count = 0;
+  for (const QuestionForm& form : question_forms()) {
+    const bool is_of_ray = form.name.starts_with("first_hit") || form.name == "hits";
+    for (const char* figure :
+         {"aabb3 0 0 0 1 2 3", "capsule3 0 0 0 1 1 1 0.5 rigid 3 1 0 1 1 0 0", "halfspace3 0 0 1 2", "segment2 0 0 3 1",
+          "point3 0x1p-1000 0x1p1000 1", "cap3 0 0 0 1 0 0 1 0"}) {
+      lines += form.name;
+      for (std::size_t i = 0; i < form.figures; ++i)
+        lines += std::string(" | ") + (i == 0 && is_of_ray               ? "ray3 -3 0 0 1 0 0"
+                                       : i == 1 && form.name == "locate" ? "point3 0 0 1"
+                                       : i % 2 == 0                      ? figure
+                                                                         : "obb3 2 2 2 1 0 0 0 1 0 0 0 1 1 1 1");
+      if (form.numbers > 0) lines += " |";
+      for (std::size_t i = 0; i < form.numbers; ++i) lines += i == 0 ? " 1" : " 0";
+      lines += '\n';
+      ++count;
+    }
+  }
+  write(folder, "q.txt", lines);
+  ASSERT_GT(count, 100U);
+  std::string all;
+  for (std::size_t n = 1; n <= count; ++n)
+    all += "$PLUMB replay q.txt --page p" + std::to_string(n) + ".html --question " + std::to_string(n) +
+           " > told.txt 2> errors.txt || cat errors.txt\n";
+  const Outcome o = run("cd " + (folder / "") + " && " + all);
+  EXPECT_EQ(o.out, "");
+  std::size_t drawn = 0;
+  for (std::size_t n = 1; n <= count; ++n) {
+    const std::string page = content(folder / ("p" + std::to_string(n) + ".html"));
+    const json scene = scene_in(page).at("scene");
+    for (const json& body : scene.at("bodies")) {
+      if (body.at("points").empty()) {
+        EXPECT_THAT(page, HasSubstr("not drawn: ")) << n;
+      } else {
+        ++drawn;
+      }
+    }
+    EXPECT_THAT(page, testing::Not(HasSubstr("null"))) << n;  // as what is no number is written
+  }
+  EXPECT_GT(drawn, count);
 }
 
 TEST(Replay, WhatNoNumberMakesIsRefusedAsBefore) {

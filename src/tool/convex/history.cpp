@@ -3,12 +3,12 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "tool/convex/command.hpp"
-#include "tool/convex/history_page.hpp"
 #include "tool/drawing/chart.hpp"
+#include "tool/drawing/drawn_hull.hpp"
 #include "tool/drawing/report_page.hpp"
+#include "tool/drawing/search_view.hpp"
 #include "tool/terminal/origin.hpp"
 
 namespace plumb::tool {
@@ -116,38 +116,17 @@ std::string step_obj(const ConvexReport& r, std::size_t number) {
   return obj.text();
 }
 
-nlohmann::json triple(const Point3& p) { return {p.x, p.y, p.z}; }
-
 /// What the page's script draws.
 nlohmann::json scene(const ConvexReport& r) {
   using nlohmann::json;
-  json bodies = json::array(), steps = json::array();
+  json bodies = json::array();
   for (const HullOfMesh& h : r.hulls) {
+    const DrawnHull drawn = drawn_hull(h.hull, h.asked.mesh.vertices);
     json points = json::array();
-    for (const Point3& p : h.corners) points.push_back(triple(p));
-    std::set<std::array<std::size_t, 2>> edges;
-    for (const auto& face : faces_of(h)) {
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const std::size_t p = face[i], q = face[(i + 1) % face.size()];
-        edges.insert({std::min(p, q), std::max(p, q)});
-      }
-    }
-    if (h.hull.dimension == 1) edges.insert({0, 1});
-    bodies.push_back({{"points", std::move(points)}, {"edges", edges}});
+    for (const Point3& p : drawn.points) points.push_back({p.x, p.y, p.z});
+    bodies.push_back({{"points", std::move(points)}, {"edges", drawn.edges}});
   }
-  for (const GjkStep& step : r.steps) {
-    const std::vector<Point3> corners = simplex_of(r, step);
-    json of_step = json::array(), pairs = json::array();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      of_step.push_back(triple(corners[i]));
-      pairs.push_back(step.simplex.corners[i]);
-    }
-    steps.push_back({{"simplex", std::move(of_step)},
-                     {"pairs", std::move(pairs)},
-                     {"nearest", triple(weighted(corners, step))},
-                     {"between", {triple(point_on(r, step, 0)), triple(point_on(r, step, 1))}}});
-  }
-  return {{"bodies", std::move(bodies)}, {"steps", std::move(steps)}};
+  return {{"bodies", std::move(bodies)}, {"steps", drawn_steps(r.steps, r.hulls[0].corners, r.hulls[1].corners)}};
 }
 
 std::string pairs_text(const ConvexReport& r, const GjkStep& step) {
@@ -179,7 +158,7 @@ std::string page_of(const ConvexReport& r) {
       "<div class=\"counts\"><table><thead><tr><th scope=\"col\">step</th><th scope=\"col\">vertices, a &minus; "
       "b</th><th scope=\"col\">squared distance from the origin</th></tr></thead>\n<tbody>\n{}</tbody></table></div>"
       "</article></section>\n{}",
-      history_stage, escaped(r.hulls[0].asked.name), escaped(r.hulls[1].asked.name), rows, history_script);
+      search_stage, escaped(r.hulls[0].asked.name), escaped(r.hulls[1].asked.name), rows, search_script);
   nlohmann::json raw = origin_json("plumb convex");
   raw["scene"] = scene(r);
   return report_page(page, raw);

@@ -39,11 +39,37 @@ void prove(const QuestionLine& asked, const ReplayedLine& told, ReplayReport& re
   report.disproved.back().was = *proved;
 }
 
+/// Keeps the question that a page is about.
+class PageChoice {
+ public:
+  explicit PageChoice(std::optional<std::uint64_t> line) : line_(line) {}
+
+  void look_at(const QuestionLine& asked, const ReplayedLine& told) {
+    const bool differs = !told.was.empty() && told.was != told.is;
+    if (line_ ? told.line == *line_ : !chosen_ || (differs && !differs_)) {
+      chosen_.emplace(ReplayedQuestion{asked, told, {}});
+      differs_ = differs;
+    }
+  }
+  [[nodiscard]] ReplayedQuestion take() {
+    if (!chosen_ && line_) throw Error(fmt::format("replay: line {} is no question that can be read", *line_));
+    if (!chosen_) throw Error("replay: there is no question to make a page of");
+    if (!chosen_->told.is.starts_with("refused: ")) chosen_->proved = proved_answer(chosen_->asked);
+    return std::move(*chosen_);
+  }
+
+ private:
+  std::optional<std::uint64_t> line_;
+  std::optional<ReplayedQuestion> chosen_;
+  bool differs_ = false;
+};
+
 /// Asks the line, and tells it again with the answer of here.
 std::string replayed(QuestionLine asked, const std::string& file, std::uint64_t line, bool with_proof,
-                     ReplayReport& report) {
+                     ReplayReport& report, PageChoice& page) {
   ++report.asked;
   const ReplayedLine told{file, line, question_alone(asked), asked.answer, answer_of(asked)};
+  page.look_at(asked, told);
   if (told.was.empty()) {
     report.unanswered.push_back(told);
   } else if (told.was == told.is) {
@@ -56,7 +82,7 @@ std::string replayed(QuestionLine asked, const std::string& file, std::uint64_t 
   return to_string(asked) + "\n";
 }
 
-std::string replay_file(const std::string& file, bool with_proof, ReplayReport& report) {
+std::string replay_file(const std::string& file, bool with_proof, ReplayReport& report, PageChoice& page) {
   const std::string name = name_of_input(file);
   std::string answered;
   std::uint64_t number = 0;
@@ -64,7 +90,7 @@ std::string replay_file(const std::string& file, bool with_proof, ReplayReport& 
     ++number;
     try {
       if (std::optional<QuestionLine> asked = parse_question_line(line)) {
-        answered += replayed(std::move(*asked), name, number, with_proof, report);
+        answered += replayed(std::move(*asked), name, number, with_proof, report, page);
       } else {
         answered += line + "\n";
       }
@@ -114,16 +140,21 @@ int run_replay(const ReplayOptions& options) {
     throw Error("replay: a file of questions is needed; 'plumb replay --help' tells how they are written");
   OutputFiles outputs(options.files);
   outputs.promise_unless_there("--out", options.out, options.overwrite);
+  outputs.promise_unless_there("--page", options.page, options.overwrite);
   outputs.promise("--json", options.json);
+  if (options.question && !options.page) throw Error("replay: --question is of a page; give --page too");
+  if (options.question && options.files.size() > 1) throw Error("replay: --question is a line of one file alone");
   ReplayReport report;
+  PageChoice page(options.question);
   std::string answered;
-  for (const std::string& file : options.files) answered += replay_file(file, options.prove, report);
+  for (const std::string& file : options.files) answered += replay_file(file, options.prove, report, page);
   if (!outputs.on_standard_output()) say(replay_text(report, Style(stdout)));
   for (const UnreadLine& u : report.unread) complain(fmt::format("{}, line {}: {}", printable(u.file), u.line, u.why));
   outputs.write("--out", std::move(answered));
   nlohmann::json said = origin_json("plumb replay");
   said.update(replay_json(report));
   outputs.write("--json", json_text(said));
+  if (options.page) outputs.write("--page", replay_page(page.take()));
   outputs.keep();
   if (!report.unread.empty()) return 2;
   return report.different.empty() && report.disproved.empty() ? 0 : 1;

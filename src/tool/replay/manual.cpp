@@ -50,7 +50,11 @@ refuses a question is an answer too.
 
 A program keeps such lines by a QuestionRecorder (docs/world.md), in
 memory or in a ring of bytes in a file, which survives the program: the
-last line, which has no answer, is what it was asked when it ended.)"},
+last line, which has no answer, is what it was asked when it ended.
+
+docs/questions.md tells how lines are written and kept. A page shows one
+question: both answers, the figures, the points that the answer names,
+and of two convex bodies the steps of the search, with a slider.)"},
            {"QUESTIONS", questions()}},
           {{"EXIT STATUS", R"(
 0      All answers are as they were.
@@ -64,6 +68,9 @@ plumb replay questions.txt
 
 plumb replay --out - questions.txt
        Answers questions that were written by hand.
+
+plumb replay --page why.html questions.txt
+       Shows the first that is answered otherwise.
 
 plumb replay --prove --json replay.json game.ring
        Asks the last questions of a program that ended, with proofs.)"}}};

@@ -11,7 +11,9 @@ Command replay_command(CLI::App& program) {
   parser->add_option("FILE", o.files, "Questions, one a line, or a ring of a recorder; '-' is standard input.");
   parser->add_flag("--prove", o.prove, "Ask for a proof too, where two convex figures are asked about, and verify it.");
   add_output(parser, "--out", o.out, "Write the lines with the answers of here");
-  parser->add_flag("--overwrite", o.overwrite, "Replace the file of --out where it is there.");
+  add_output(parser, "--page", o.page, "Write one question as a page that opens offline");
+  parser->add_option("--question", o.question, "The line that the page is about, from 1; else the first that differs.");
+  parser->add_flag("--overwrite", o.overwrite, "Replace the files of --out and --page where they are there.");
   add_output(parser, "--json", o.json, "Write what differs as JSON");
   return {parser, replay_manual, [options] { return run_replay(*options); }, &o.files};
 }
