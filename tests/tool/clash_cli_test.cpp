@@ -66,6 +66,37 @@ TEST(ClashCommand, TellsWhatIsInTheWay) {
   EXPECT_EQ(run(at + "parts --quiet --threads 1 --json again.json").code, 0);
 }
 
+TEST(ClashCommand, TellsVolumesAndWhyThereIsNone) {
+  const Folder folder;
+  const std::string at = with_parts(folder);
+  TriangleMesh open = solids::box({3, 3, -1}, {3.5, 3.5, 2});
+  open.triangles.pop_back();
+  write_mesh(folder / "parts/tube.obj", open);
+  const Outcome o = run(at + "parts --json out.json --csv out.csv");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.out, HasSubstr("no volume: tube is not closed\n"));
+  const std::string csv = content(folder / "out.csv");
+  EXPECT_THAT(csv, AllOf(HasSubstr(",meeting,why_no_volume\n"), HasSubstr("bar,plate,piercing through,"),
+                         HasSubstr(",1,2,2,"), HasSubstr(",tube is not closed\n")));
+  std::size_t seen = 0;
+  const auto look = [&](const json& report, const json& volume, const json& why_of_bar, const json& why_of_tube) {
+    for (const json& c : report.at("clashes")) {
+      const bool is_bar = c.at("part_a") == "bar", is_tube = c.at("part_a") == "tube" || c.at("part_b") == "tube";
+      if (is_bar || is_tube) {
+        EXPECT_EQ(c.at("volume"), is_bar ? volume : json());
+        EXPECT_EQ(c.at("why_no_volume"), is_bar ? why_of_bar : why_of_tube);
+      } else if (c.at("word") == "touching") {
+        EXPECT_EQ(c.at("why_no_volume"), json()) << "nothing is in common inside";
+      }
+      seen += is_bar || is_tube ? 1U : 0U;
+    }
+  };
+  look(json::parse(content(folder / "out.json")), 1.0, json(), "tube is not closed");
+  const json unmeasured = json::parse(run(at + "parts --unmeasured --json -").out);
+  look(unmeasured, json(), "it was not asked for", "it was not asked for");
+  EXPECT_EQ(seen, 4U);
+}
+
 TEST(ClashCommand, KeepsRules) {
   const Folder folder;
   const std::string at = with_parts(folder);

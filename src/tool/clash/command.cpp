@@ -33,6 +33,7 @@ int run_clash(const ClashArguments& options) {
   ClashReport report;
   report.passed_over = inputs.passed_over;
   report.clearance = options.clearance;
+  report.measured = !options.unmeasured;
   std::vector<TriangleMesh> meshes;
   const bool all_good = each_assembly(
       inputs, options.meshes.reading(),
@@ -44,7 +45,7 @@ int run_clash(const ClashArguments& options) {
   {
     constexpr std::uint64_t steps = 1000;
     Progress bar("clash", steps);
-    ClashesOptions how{.measure = !options.unmeasured};
+    ClashesOptions how{.measure = report.measured};
     if (bar.shown()) {
       how.progress = [&bar](double share) {
         bar.advance(static_cast<std::uint64_t>(share * steps) - bar.done());

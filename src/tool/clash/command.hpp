@@ -50,6 +50,7 @@ struct ClashReport {
   std::vector<UnreadMesh> unread;
   std::vector<std::string> passed_over;
   std::optional<double> clearance;
+  bool measured = true;            // volumes and depths were asked for
   std::vector<PartClash> clashes;  // that are listed
   std::size_t asked = 0, answered = 0;
   std::vector<std::size_t> counts;           // of each word, of those listed

@@ -18,6 +18,18 @@ json or_null(const std::optional<T>& x) {
   return x ? json(*x) : json();
 }
 
+/// Why is none told of what has insides in common?  Empty where one is, or where nothing is in common inside.
+std::string why_no_volume(const ClashReport& report, const PartClash& pair) {
+  const ClashKind kind = pair.clash.kind;
+  if (pair.clash.volume || kind == ClashKind::apart || kind == ClashKind::within_clearance ||
+      kind == ClashKind::touching)
+    return {};
+  if (!report.measured) return "it was not asked for";
+  const AssemblyMember &a = report.parts[pair.a], &b = report.parts[pair.b];
+  if (!a.closed && !b.closed) return fmt::format("{} and {} are not closed", a.name, b.name);
+  return fmt::format("{} is not closed", a.closed ? b.name : a.name);
+}
+
 std::string measures_text(const Clash& c, const ClashReport& report, const PartClash& pair) {
   std::string text;
   if (c.inner)
@@ -25,6 +37,8 @@ std::string measures_text(const Clash& c, const ClashReport& report, const PartC
                         printable(report.parts[*c.inner == 0 ? pair.b : pair.a].name));
   if (c.distance) text += fmt::format(", distance {}", *c.distance);
   if (c.volume) text += fmt::format(", volume {}", *c.volume);
+  if (const std::string why = why_no_volume(report, pair); !why.empty() && report.measured)
+    text += fmt::format(", no volume: {}", printable(why));
   if (c.depth && c.depth->lower == c.depth->upper) text += fmt::format(", depth {}", c.depth->upper);
   if (c.depth && c.depth->lower != c.depth->upper)
     text += fmt::format(", depth {} to {}", c.depth->lower, c.depth->upper);
@@ -43,6 +57,7 @@ std::string csv_number(const std::optional<double>& x) { return x ? fmt::format(
 json clash_json_of(const PartClash& pair, const ClashReport& report) {
   const Clash& c = pair.clash;
   const std::size_t told = std::min(c.meeting.size(), ClashReport::told);
+  const std::string why = why_no_volume(report, pair);
   json meeting = json::array();
   for (std::size_t i = 0; i < told; ++i) meeting.push_back({c.meeting[i].a, c.meeting[i].b});
   return {{"part_a", report.parts[pair.a].name},
@@ -52,6 +67,7 @@ json clash_json_of(const PartClash& pair, const ClashReport& report) {
           {"distance", or_null(c.distance)},
           {"inner_part", c.inner ? json(report.parts[*c.inner == 0 ? pair.a : pair.b].name) : json()},
           {"volume", or_null(c.volume)},
+          {"why_no_volume", why.empty() ? json() : json(why)},
           {"depth_lower", c.depth ? json(c.depth->lower) : json()},
           {"depth_upper", c.depth ? json(c.depth->upper) : json()},
           {"way_out", c.depth ? triple(c.depth->direction.x, c.depth->direction.y, c.depth->direction.z) : json()},
@@ -120,17 +136,19 @@ json clash_json(const ClashReport& report) {
 }
 
 std::string clash_csv(const ClashReport& report) {
-  std::string text = "part_a,part_b,word,x,y,z,distance,inner_part,volume,depth_lower,depth_upper,meeting\n";
+  std::string text =
+      "part_a,part_b,word,x,y,z,distance,inner_part,volume,depth_lower,depth_upper,meeting,why_no_volume\n";
   for (const PartClash& pair : report.clashes) {
     const Clash& c = pair.clash;
     const std::string inner = c.inner ? report.parts[*c.inner == 0 ? pair.a : pair.b].name : "";
     const auto depth = [&](double ClashDepth::*end) {
       return c.depth ? std::optional<double>((*c.depth).*end) : std::nullopt;
     };
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(report.parts[pair.a].name),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(report.parts[pair.a].name),
                         csv_field(report.parts[pair.b].name), name_of(c.kind), c.place.x, c.place.y, c.place.z,
                         csv_number(c.distance), csv_field(inner), csv_number(c.volume),
-                        csv_number(depth(&ClashDepth::lower)), csv_number(depth(&ClashDepth::upper)), c.meeting.size());
+                        csv_number(depth(&ClashDepth::lower)), csv_number(depth(&ClashDepth::upper)), c.meeting.size(),
+                        csv_field(why_no_volume(report, pair)));
   }
   return text;
 }
