@@ -63,7 +63,7 @@ Soundness::Soundness(const TriangleMesh& mesh) {
     const auto at = std::ranges::find(uses, times < 0, &FacetSource::opposite);
     triangle.push_back(at->face.triangle);
   }
-  const Bvh bvh = build_bvh(pool.mesh);
+  const Bvh bvh = build_bvh(pool.mesh, {.method = BvhMethod::linear});  // which is asked once
   for (const TrianglePair& p : intersecting_pairs(bvh)) meeting.push_back({p.a, p.b});
   sound = is_simple && meeting.empty() && is_wound_once(pool, bvh);
 }
