@@ -26,15 +26,6 @@ std::vector<Point3> simplex_of(const ConvexReport& r, const GjkStep& step) {
   return points;
 }
 
-Point3 weighted(const std::vector<Point3>& points, const GjkStep& step) {
-  Point3 sum{0, 0, 0};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double w = step.weight[i];
-    sum = {sum.x + w * points[i].x, sum.y + w * points[i].y, sum.z + w * points[i].z};
-  }
-  return sum;
-}
-
 /// The point of a body (0, 1) that the step has nearest.
 Point3 point_on(const ConvexReport& r, const GjkStep& step, std::size_t which) {
   std::vector<Point3> points;

@@ -7,16 +7,16 @@ namespace {
 
 nlohmann::json triple(const Point3& p) { return {p.x, p.y, p.z}; }
 
-Point3 weighted(const std::vector<Point3>& points, const GjkStep& step) {
+}  // namespace
+
+Point3 weighted(std::span<const Point3> corners, const GjkStep& step) {
   Point3 sum{0, 0, 0};
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
     const double w = step.weight[i];
-    sum = {sum.x + w * points[i].x, sum.y + w * points[i].y, sum.z + w * points[i].z};
+    sum = {sum.x + w * corners[i].x, sum.y + w * corners[i].y, sum.z + w * corners[i].z};
   }
   return sum;
 }
-
-}  // namespace
 
 nlohmann::json drawn_steps(std::span<const GjkStep> steps, std::span<const Point3> corners_of_a,
                            std::span<const Point3> corners_of_b) {

@@ -16,6 +16,9 @@
 
 namespace plumb::tool {
 
+/// What a step's weights make of its corners.
+Point3 weighted(std::span<const Point3> corners, const GjkStep& step);
+
 /// Of each step the corners of the difference and their numbers, its point nearest to the origin, and the two points of
 /// the bodies whose difference that is; by what the corners of either body are.
 nlohmann::json drawn_steps(std::span<const GjkStep> steps, std::span<const Point3> corners_of_a,
