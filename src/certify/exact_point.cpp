@@ -149,10 +149,15 @@ void settle_axes(const Point& point) {
   cache.keep_exact(exact);
 }
 
+/// In proportion; of a point as given its coordinates, for which no place is made and kept.
 template <std::size_t N, class Point>
 auto in_integers(const Point& point) {
-  const Weighted<BigDyadic, N>& p = place_of(point.cache(), point);
-  return Located{std::array<TagZero, N>{}, p.at, p.weight};
+  using Place = Weighted<BigDyadic, N>;
+  const auto located_at = [](const Place& p) { return Located{std::array<TagZero, N>{}, p.at, p.weight}; };
+  using Given = std::conditional_t<N == 2, Point2, Point3>;
+  if (const auto* given = std::get_if<Given>(&point.as()))
+    return located_at(certify::meeting::weighted<BigDyadic>(*given));
+  return located_at(place_of(point.cache(), point));
 }
 
 /// Where doubles do not tell, or are not known.

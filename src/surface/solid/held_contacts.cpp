@@ -1,6 +1,7 @@
 // How do faces meet whose corners may be points that no doubles hold?  What they have in common is spanned by corners of
 // either in the other, and by passages of edges of either through the other.
 #include <algorithm>
+#include <optional>
 
 #include "certify/exact_coordinates.hpp"
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
@@ -49,12 +50,14 @@ class HeldContacts {
 
   void meet(std::uint32_t f, std::uint32_t g) {
     const FaceCorners &a = pool_.mesh.triangles[f], &b = pool_.mesh.triangles[g];
-    const Sides of_b = sides(a, b), of_a = sides(b, a);
+    const Sides of_b = sides(a, b);
     if (is_flat(of_b)) {
       if (!is_apart_in_plane(a, b) && !is_apart_in_plane(b, a)) found_.coplanar.push_back({f, g});
       return;
     }
-    if (meets_in_shared_alone(a, b, of_b) || meets_in_shared_alone(b, a, of_a)) return;
+    if (meets_in_shared_alone(a, b, of_b)) return;
+    const Sides of_a = sides(b, a);
+    if (meets_in_shared_alone(b, a, of_a)) return;
     ends_.clear();
     add_ends(a, b, of_b);
     add_ends(b, a, of_a);
@@ -76,9 +79,29 @@ class HeldContacts {
   /// The sides of the plane on which the corners are.
   [[nodiscard]] Sides sides(const FaceCorners& plane, const FaceCorners& corners) const {
     Sides of{};
-    for (std::size_t k = 0; k < 3; ++k)
-      of[k] = has_corner(plane, corners[k]) ? Sign::zero : points_.orient(plane[0], plane[1], plane[2], corners[k]);
+    const std::optional<Level> level = level_of(plane);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = corners[k];
+      if (has_corner(plane, p) || (level && is_at(p, *level))) continue;  // zero
+      of[k] = points_.orient(plane[0], plane[1], plane[2], p);
+    }
     return of;
+  }
+
+  /// All points that have this coordinate, exactly: what is in such a plane is so without a sign.
+  struct Level {
+    std::size_t axis;
+    double at;
+  };
+  [[nodiscard]] std::optional<Level> level_of(const FaceCorners& corners) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Level level{axis, points_.nearest_along(corners[0], axis)};
+      if (is_at(corners[0], level) && is_at(corners[1], level) && is_at(corners[2], level)) return level;
+    }
+    return {};
+  }
+  [[nodiscard]] bool is_at(std::uint32_t v, const Level& level) const {
+    return points_.is_double_along(v, level.axis) && points_.nearest_along(v, level.axis) == level.at;
   }
 
   /// No corner but shared ones is in the plane, and all others are on one side of it.
@@ -138,8 +161,8 @@ class HeldContacts {
   [[nodiscard]] std::uint32_t number_of(const FaceCorners& a, std::uint32_t p, std::uint32_t q) {
     const auto place = [&](std::uint32_t v) { return certify::meeting::coordinates_in<BigDyadic>(points_.at(v)); };
     const std::array<std::uint32_t, 2> edge{std::min(p, q), std::max(p, q)};
-    const std::uint32_t number = table_.number_of(
-        line_through_plane(place(edge[0]), place(edge[1]), {place(a[0]), place(a[1]), place(a[2])}));
+    const std::uint32_t number =
+        table_.number_of(line_through_plane(place(edge[0]), place(edge[1]), {place(a[0]), place(a[1]), place(a[2])}));
     table_.note_line(number, edge);
     return number;
   }

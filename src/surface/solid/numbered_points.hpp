@@ -38,6 +38,17 @@ struct NumberedPoints {
     return is_given(number) ? given[number] : approximate(held[number - given.size()]);
   }
 
+  /// As far as it is known: of a point that is held in its plain form it is.
+  [[nodiscard]] double nearest_along(std::uint32_t number, std::size_t axis) const {
+    if (!is_given(number)) return held[number - given.size()].cache().nearest(axis);
+    const Point3& p = given[number];
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  }
+  /// Is that the coordinate?
+  [[nodiscard]] bool is_double_along(std::uint32_t number, std::size_t axis) const {
+    return is_given(number) || held[number - given.size()].cache().is_exact(axis);
+  }
+
   /// Decide as predicates.hpp does, about the points with these numbers.
   [[nodiscard]] Sign order(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Sign orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
