@@ -1,5 +1,6 @@
 /* What does Plumb answer to a program in C, or in a language that calls C?  Signs, figures, meshes and points;
- * what is asked of surfaces and of the plane is in plumb_surfaces.h, which this includes.
+ * what is asked of surfaces and of the plane is in plumb_surfaces.h, exact numbers are in plumb_exact.h, which this
+ * includes.
  *
  *   plumb_figure ball = {sizeof ball, PLUMB_BALL, 3}, box = {sizeof box, PLUMB_AABB, 3};
  *   ball.as.sphere3 = (plumb_sphere3){{0, 0, 0}, 1};
@@ -400,6 +401,7 @@ plumb_status plumb_points_within(const plumb_points* tree, const double* query, 
 }
 #endif
 
+#include "plumb/plumb_exact.h"
 #include "plumb/plumb_surfaces.h"
 #include "plumb/plumb_world.h"
 

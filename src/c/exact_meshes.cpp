@@ -4,6 +4,7 @@
 
 #include "c/figures.hpp"
 #include "c/solids.hpp"
+#include "c/texts.hpp"
 #include "plumb/surface/solid/intersection_curves.hpp"
 
 using namespace plumb;
@@ -18,16 +19,6 @@ struct plumb_curves {
   std::vector<IntersectionCurve> exact;
   std::vector<plumb_curve> each;
 };
-
-namespace {
-
-/// Writes all of a text, or nothing where the caller has no room for it.
-void write_text(const std::string& from, char* text, std::size_t capacity, std::size_t* length) {
-  if (from.size() < capacity) std::memcpy(text, from.c_str(), from.size() + 1);
-  *length = from.size();
-}
-
-}  // namespace
 
 extern "C" {
 
@@ -110,9 +101,8 @@ plumb_status plumb_exact_mesh_volume(const plumb_exact_mesh* exact, char* text, 
                                      std::size_t* length) {
   return guarded("plumb_exact_mesh_volume", [&] {
     need(exact, "exact");
-    need(text, capacity, "text");
-    need(length, "length");
-    write_text(exact_volume(exact->mesh).text(), text, capacity, length);
+    c::need_text(text, capacity, length);
+    c::write_text(exact_volume(exact->mesh).text(), text, capacity, length);
   });
 }
 
@@ -120,14 +110,13 @@ plumb_status plumb_exact_mesh_vertex(const plumb_exact_mesh* exact, std::size_t 
                                      std::size_t capacity, std::size_t* length) {
   return guarded("plumb_exact_mesh_vertex", [&] {
     need(exact, "exact");
-    need(text, capacity, "text");
-    need(length, "length");
+    c::need_text(text, capacity, length);
     if (vertex >= exact->mesh.vertices.size()) {
       throw c::InvalidArgument("vertex " + std::to_string(vertex) + " is none of the " +
                                std::to_string(exact->mesh.vertices.size()) + " that there are");
     }
     const RationalPoint3 p = rational_point(exact->mesh.vertices[vertex]);
-    write_text(p.x.text() + " " + p.y.text() + " " + p.z.text(), text, capacity, length);
+    c::write_text(p.x.text() + " " + p.y.text() + " " + p.z.text(), text, capacity, length);
   });
 }
 

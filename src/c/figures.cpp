@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "c/texts.hpp"
 #include "plumb/figure/basic/polyhedron.hpp"
 #include "plumb/query/variant/question_line.hpp"
 
@@ -224,20 +225,17 @@ AnyFigure figure_of(const plumb_figure* given, const char* argument) {
   return given->pose_kind == PLUMB_AS_IT_IS ? shape : shape.under(pose_of(*given, argument));
 }
 
+Translating<AnyFigure> moved(const plumb_figure* figure, const double* by, const char* argument) {
+  AnyFigure any = figure_of(figure, argument);
+  Vector3 along{0, 0, 0};
+  if (by != nullptr) along = {by[0], by[1], any.dimension() == 3 ? by[2] : 0};
+  return {std::move(any), along};
+}
+
 }  // namespace plumb::c
 
 using namespace plumb;
 using c::guarded, c::need;
-
-namespace {
-
-/// With the ending 0, where the capacity is enough for all of it.
-void tell(const std::string& text, char* to, std::size_t capacity, std::size_t& length) {
-  length = text.size();
-  if (to != nullptr && text.size() < capacity) std::memcpy(to, text.c_str(), text.size() + 1);
-}
-
-}  // namespace
 
 extern "C" {
 
@@ -263,7 +261,7 @@ void plumb_kept_destroy(plumb_kept* kept) { delete kept; }
 plumb_status plumb_figure_line(const plumb_figure* figure, char* line, std::size_t capacity, std::size_t* length) {
   return guarded("plumb_figure_line", [&] {
     need(length, "length");
-    tell(to_string(c::figure_of(figure, "figure")), line, capacity, *length);
+    c::write_text(to_string(c::figure_of(figure, "figure")), line, capacity, length);
   });
 }
 
@@ -273,7 +271,7 @@ plumb_status plumb_ask(const char* question, char* answer, std::size_t capacity,
     need(length, "length");
     const std::optional<QuestionLine> asked = parse_question_line(question);
     if (!asked) throw c::InvalidArgument("question is a blank line or a remark");
-    tell(answer_of(*asked), answer, capacity, *length);
+    c::write_text(answer_of(*asked), answer, capacity, length);
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "c/guarded.hpp"
 #include "plumb/query/body/any_figure.hpp"
+#include "plumb/query/time_of_impact/motion.hpp"
 
 struct plumb_kept {
   plumb::AnyFigure figure;
@@ -17,6 +18,8 @@ namespace plumb::c {
 
 /// Throws InvalidArgument by the name of the argument.
 AnyFigure figure_of(const plumb_figure* given, const char* argument);
+/// In motion by these numbers, of which NULL stands for none.
+Translating<AnyFigure> moved(const plumb_figure* figure, const double* by, const char* argument);
 
 inline RigidPose rigid_of(const plumb_rigid3& p) {
   return {{p.w, p.x, p.y, p.z}, {p.translation[0], p.translation[1], p.translation[2]}};

@@ -12,7 +12,7 @@
 #include "plumb/query/separation/convex_body.hpp"
 
 using namespace plumb;
-using c::figure_of, c::guarded, c::need, c::need_size;
+using c::figure_of, c::guarded, c::moved, c::need, c::need_size;
 
 struct plumb_contact_cache {
   ContactCache cache;
@@ -21,13 +21,6 @@ struct plumb_contact_cache {
 namespace {
 
 plumb_feature told(const Feature& f) { return {static_cast<std::int32_t>(f.kind), f.index}; }
-
-Translating<AnyFigure> moved(const plumb_figure* figure, const double* by, const char* argument) {
-  AnyFigure any = figure_of(figure, argument);
-  Vector3 along{0, 0, 0};
-  if (by != nullptr) along = {by[0], by[1], any.dimension() == 3 ? by[2] : 0};
-  return {std::move(any), along};
-}
 
 /// Asks `one` of each pair; of those that fail the first is told by its number, and no answer is written.
 template <class Answer, class One>

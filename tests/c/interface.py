@@ -15,7 +15,7 @@ import tempfile
 from pathlib import Path
 
 SKIPPED = 77
-HEADERS = ("plumb.h", "plumb_surfaces.h", "plumb_world.h")
+HEADERS = ("plumb.h", "plumb_exact.h", "plumb_surfaces.h", "plumb_world.h")
 
 
 def declarations(text):
