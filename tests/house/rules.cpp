@@ -133,7 +133,8 @@ std::vector<Source> read_sources(const fs::path& tree) {
 
 /// The rung of a name directly below include/plumb or src: a folder, or a face such as surface.hpp.
 std::optional<int> rung_of(std::string name) {
-  if (one_of(name, {"tool", "python", "c", "js", "plumb.hpp", "plumb.h", "plumb_exact.h", "plumb_surfaces.h", "plumb_world.h"}))
+  if (one_of(name, {"tool", "python", "c", "js", "plumb.hpp", "plumb.h", "plumb_exact.h", "plumb_surfaces.h",
+                    "plumb_world.h"}))
     return above_all;
   if (name == "lab") return above_all + 1;             // the second program knows the first
   if (name == "predicates.hpp") name = "certify.hpp";  // the face of the signs
@@ -186,7 +187,8 @@ void check_folders(const fs::path& tree, std::vector<Breach>& out) {
                                      (!one_of(name, {"tool", "lab", "python", "c", "js"}) || top == "src")
           : top == "src"
               ? one_of(extension, {".cmake", ".in"})
-              : (extension == ".hpp" || one_of(name, {"classic.h", "plumb.h", "plumb_exact.h", "plumb_surfaces.h", "plumb_world.h"})) &&
+              : (extension == ".hpp" ||
+                 one_of(name, {"classic.h", "plumb.h", "plumb_exact.h", "plumb_surfaces.h", "plumb_world.h"})) &&
                     rung_of(name).has_value();
       if (!known) out.push_back({top + "/" + name, "is no rung of the ladder"});
     }
