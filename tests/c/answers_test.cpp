@@ -9,6 +9,7 @@
 #include "certify/sanitized.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/plumb.h"
+#include "plumb/query/certificate/certificate_text.hpp"
 #include "plumb/query/variant/questions.hpp"
 #include "query/body/posed_cases.hpp"
 #include "query/body/rigid_cases.hpp"
@@ -67,7 +68,7 @@ std::optional<plumb_figure> by_numbers(const AnyFigure& any) {
 }
 
 struct Seen {
-  int answers = 0, refused = 0, by_numbers = 0;
+  int answers = 0, refused = 0, by_numbers = 0, texts = 0;
 };
 
 /// What `ask` answers is `answer()`, or its error.
@@ -89,6 +90,55 @@ void expect_as(const Answer& answer, const Ask& ask, Seen& seen) {
   }
   ++seen.answers;
   EXPECT_EQ(std::memcmp(&told, &*expected, sizeof told), 0);
+}
+
+/// The same of texts.
+template <class Answer, class Ask>
+void expect_text_as(const Answer& answer, const Ask& ask, Seen& seen) {
+  std::optional<std::string> expected;
+  try {
+    expected = answer();
+  } catch (const Error&) {
+    ++seen.refused;
+  }
+  std::vector<char> told(1 << 16, '?');
+  std::size_t length = 0;
+  const plumb_status status = ask(told.data(), told.size(), &length);
+  ASSERT_EQ(status == PLUMB_OK, expected.has_value()) << plumb_last_error();
+  if (!expected) {
+    EXPECT_EQ(told[0], '?');
+    return;
+  }
+  ++seen.texts;
+  EXPECT_EQ(std::string(told.data()), *expected);
+  EXPECT_EQ(length, expected->size());
+}
+
+/// Whatever is exact, and whatever proves it.
+void expect_exact_answers(const AnyFigure& a, const AnyFigure& b, const plumb_figure& x, const plumb_figure& y,
+                          Seen& seen) {
+  SCOPED_TRACE(to_string(a) + "; " + to_string(b));
+  expect_text_as(
+      [&] {
+        const ExactDistance d = exact_distance(a, b);
+        return d.square.text() + " " + d.inset.text();
+      },
+      [&](char* text, std::size_t capacity, std::size_t* length) {
+        return plumb_exact_distance(&x, &y, text, capacity, length);
+      },
+      seen);
+  expect_text_as([&] { return squared_distance_exact(a, b).text(); },
+                 [&](char* text, std::size_t capacity, std::size_t* length) {
+                   return plumb_squared_distance(&x, &y, text, capacity, length);
+                 },
+                 seen);
+  expect_text_as([&] { return certificate_text(relate_with_proof(a, b), a, b); },
+                 [&](char* text, std::size_t capacity, std::size_t* length) {
+                   return plumb_prove(PLUMB_CLAIM_RELATION, &x, &y, text, capacity, length);
+                 },
+                 seen);
+  expect_as([&] { return static_cast<int>(compare_distance(a, b, b, b)); },
+            [&](int& told) { return plumb_compare_distance(&x, &y, &y, &y, &told); }, seen);
 }
 
 void expect_answers(const AnyFigure& a, const AnyFigure& b, const plumb_figure& x, const plumb_figure& y, Seen& seen) {
@@ -159,6 +209,7 @@ TEST(CInterface, AnswersAsTheLibraryDoes) {
         const auto numbers_a = by_numbers(a), numbers_b = by_numbers(b);
         if (!numbers_a || !numbers_b) continue;
         expect_answers(a, b, *numbers_a, *numbers_b, seen);
+        expect_exact_answers(a, b, *numbers_a, *numbers_b, seen);
         ++seen.by_numbers;
       }
     }
@@ -166,6 +217,7 @@ TEST(CInterface, AnswersAsTheLibraryDoes) {
   EXPECT_GT(seen.answers, 1500 * rounds);
   EXPECT_GT(seen.refused, 500 * rounds);
   EXPECT_GT(seen.by_numbers, 300 * rounds);
+  EXPECT_GT(seen.texts, 300 * rounds);
 }
 
 TEST(CInterface, HasEveryPredicate) {
