@@ -42,6 +42,11 @@ plumb_status plumb_first_contact_time(const plumb_figure* a, const double* by_a,
  * root of the square plus the radii, or, where *apart is not 0, the radii less the root. */
 plumb_status plumb_exact_penetration(const plumb_figure* a, const plumb_figure* b, int* found, int* apart, char* text,
                                      size_t capacity, size_t* length);
+/* Along which of these directions (3 numbers each) is a parted from b soonest?  The translation (3 numbers) may be NULL;
+ * the text is the multiple of the direction, as plumb_first_contact_time writes a time. */
+plumb_status plumb_penetration_along(const plumb_figure* a, const plumb_figure* b, const double* directions,
+                                     size_t count, int* found, size_t* which, double* depth, double* translation,
+                                     char* text, size_t capacity, size_t* length);
 /* The greatest product of the direction and a point of the figure, rounded upward. */
 plumb_status plumb_support_value(const plumb_figure* figure, const double* direction, double* value);
 

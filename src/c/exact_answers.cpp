@@ -1,8 +1,9 @@
 // Answers about figures before they are rounded, as text, and certificates of answers.
 #include "c/figures.hpp"
+#include "c/handles.hpp"
 #include "c/texts.hpp"
 #include "plumb/query/certificate/certificate_text.hpp"
-#include "plumb/query/penetration/penetration.hpp"
+#include "plumb/query/penetration/along.hpp"
 #include "plumb/query/variant/questions.hpp"
 
 using namespace plumb;
@@ -89,6 +90,26 @@ plumb_status plumb_exact_penetration(const plumb_figure* a, const plumb_figure* 
     *found = deep.has_value();
     if (!deep) return;
     *apart = deep->cores_are_apart;
+    write_text(told, text, capacity, length);
+  });
+}
+
+plumb_status plumb_penetration_along(const plumb_figure* a, const plumb_figure* b, const double* directions,
+                                     std::size_t count, int* found, std::size_t* which, double* depth,
+                                     double* translation, char* text, std::size_t capacity, std::size_t* length) {
+  return guarded("plumb_penetration_along", [&] {
+    need(found, "found");
+    need(which, "which");
+    need(depth, "depth");
+    need_text(text, capacity, length);
+    const AnyFigure first = figure_of(a, "a"), second = figure_of(b, "b");
+    const auto deep = penetration_along(first, second, c::items<Vector3>(directions, count, "directions"));
+    const std::string told = deep ? text_of_root(deep->multiple) : "";
+    *found = deep.has_value();
+    if (!deep) return;
+    *which = deep->index;
+    *depth = deep->depth;
+    if (translation != nullptr) std::memcpy(translation, &deep->translation, sizeof deep->translation);
     write_text(told, text, capacity, length);
   });
 }

@@ -128,6 +128,33 @@ static void times(void) {
   EXPECT_STATUS(plumb_exact_penetration(&far, &box, &found, NULL, text, sizeof text, &length), PLUMB_INVALID_ARGUMENT);
 }
 
+/* Boxes that share a unit cube's depth along every axis, and balls. */
+static void along(void) {
+  plumb_figure a = box_at(0, 3), b = box_at(2, 5), far = box_at(4, 5), ball = ball_at(0, 1), other = ball_at(1, 1);
+  const double ways[6] = {0, 2, 0, -4, 0, 0};
+  double depth = 0, by[3] = {9, 9, 9};
+  size_t which = 9;
+  int found = 7;
+  EXPECT_STATUS(plumb_penetration_along(&a, &b, ways, 2, &found, &which, &depth, by, text, sizeof text, &length),
+                PLUMB_OK);
+  EXPECT(found == 1 && which == 1 && depth == 1 && by[0] == -1 && by[1] == 0 && by[2] == 0);
+  expect_text("1/4");
+  EXPECT_STATUS(
+      plumb_penetration_along(&ball, &other, ways, 1, &found, &which, &depth, NULL, text, sizeof text, &length),
+      PLUMB_OK);
+  EXPECT(found == 1 && which == 0 && depth == sqrt(3.0) && strchr(text, ' ') != NULL); /* 1 + y^2 = 4 */
+  which = 9;
+  EXPECT_STATUS(plumb_penetration_along(&a, &far, ways, 2, &found, &which, &depth, by, text, sizeof text, &length),
+                PLUMB_OK);
+  EXPECT(found == 0 && which == 9);
+  EXPECT_STATUS(plumb_penetration_along(&a, &b, ways, 0, &found, &which, &depth, by, text, sizeof text, &length),
+                PLUMB_INVALID_SHAPE);
+  EXPECT_STATUS(plumb_penetration_along(&a, &b, NULL, 2, &found, &which, &depth, by, text, sizeof text, &length),
+                PLUMB_INVALID_ARGUMENT);
+  EXPECT_STATUS(plumb_penetration_along(&a, &b, ways, 2, &found, NULL, &depth, by, text, sizeof text, &length),
+                PLUMB_INVALID_ARGUMENT);
+}
+
 static void in_common(void) {
   plumb_figure a = box_at(0, 3), b = box_at(1, 5), flat = plane_of(1, 0, 0, 3), other = plane_of(0, 3, 0, 1);
   plumb_figure first = figure(PLUMB_SEGMENT, 2), second = figure(PLUMB_SEGMENT, 2), ball = ball_at(0, 1);
@@ -287,6 +314,7 @@ static void bounds(void) {
 int main(void) {
   distances();
   times();
+  along();
   in_common();
   proofs();
   bounds();
