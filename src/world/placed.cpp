@@ -8,6 +8,7 @@
 #include "plumb/space/pairs/mesh_pairs.hpp"
 #include "plumb/space/range/range_search.hpp"
 #include "query/body/upright_box.hpp"
+#include "space/bvh/posed_box.hpp"
 #include "world/rigid_links.hpp"
 
 namespace plumb::world {
@@ -31,6 +32,12 @@ Aabb3 box_of_upright(const query::UprightBox& box) {
     return p.rest > 0 ? std::nextafter(p.nearest, infinity) : p.nearest;
   };
   return {{low(0), low(1), low(2)}, {high(0), high(1), high(2)}};
+}
+
+/// Some bits wider than the least box, which rational numbers would be asked for; and that one where doubles know no bound.
+Aabb3 box_around(const MeshPose& pose, const Aabb3& box) {
+  const Aabb3 quick = space::around(pose, box);
+  return !is_empty(box) && space::is_bounded(quick) ? quick : transform(box, pose.view());
 }
 
 bool is_one_pose(const AnyPose& a, const AnyPose& b) { return a.index() != 0 && a == b; }
@@ -64,6 +71,10 @@ Relation relation_of_meshes(const PlacedMesh& a, const PlacedMesh& b) {
 
 Aabb3 box_of_figure(const AnyFigure& figure) {
   if (const auto upright = query::upright_box(figure.view())) return box_of_upright(*upright);
+  if (const auto* box = get_if<Aabb3>(figure)) {
+    if (const auto* rigid = std::get_if<RigidPose>(&figure.pose())) return box_around(MeshPose(*rigid), *box);
+    if (const auto* chain = std::get_if<RigidChain>(&figure.pose())) return box_around(MeshPose(*chain), *box);
+  }
   if (const auto* p = get_if<Point3>(figure))
     return query::any_fit_aabb(AnyFigure(Segment3{*p, *p}).under(figure.pose()));
   return query::any_fit_aabb(figure);
@@ -74,7 +85,7 @@ PlacedMesh::PlacedMesh(SharedMesh mesh, const AnyPose& pose)
 
 Aabb3 PlacedMesh::box() const {
   if (!posed_) return mesh_.box();
-  return transform(mesh_.box(), posed_->pose.view());
+  return box_around(posed_->pose, mesh_.box());
 }
 
 std::vector<std::uint32_t> PlacedMesh::near(const Aabb3& box) const { return meeting(view(), box); }
