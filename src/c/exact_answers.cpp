@@ -15,7 +15,7 @@ std::string text_of_root(const Root& t) {
   if (const std::optional<Rational> rational = t.rational()) return rational->text();
   const auto [low, high] = t.interval();
   std::string text = low.text() + " " + high.text();
-  for (const Rational& c : t.polynomial()) text += " " + c.text();
+  for (const Rational& c : t.polynomial()) text.append(" ").append(c.text());
   return text;
 }
 
