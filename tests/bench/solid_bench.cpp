@@ -3,8 +3,8 @@
 //   bench_solid --benchmark_repetitions=5 --benchmark_report_aggregates_only
 //
 // tori: two smooth ones that cross.  grids: two blocks whose faces are cut into cells, half a cell apart, so that all of
-// it is coplanar.  boxes: two walls of boxes face to face.  itself: a mesh and itself.  chain: sixty boxes of a lattice in
-// turn, kept exact.  pipes: slender ones that cross many times.  What CGAL refuses is counted as `refused`.
+// it is coplanar, merged.  boxes: two walls of boxes face to face.  itself: a mesh and itself.  pipes: slender ones that
+// cross many times.  chain: sixty boxes of a lattice in turn, kept exact, merged or not.  What CGAL refuses is `refused`.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -103,7 +103,7 @@ void unite_rival(benchmark::State& state, const Pair& of) {
   state.counters["refused"] = triangles ? 0 : 1;
 }
 
-void chain(benchmark::State& state) {
+void chain(benchmark::State& state, Pieces pieces) {
   std::mt19937_64 random(1);
   std::uniform_int_distribution<int> at(0, 7), size(1, 4);
   std::vector<ExactMesh> all;
@@ -117,7 +117,7 @@ void chain(benchmark::State& state) {
     ExactMesh made = all[0];
     for (std::size_t i = 1; i < all.size(); ++i) {
       const std::vector<ExactMesh> two{std::move(made), all[i]};
-      made = i % 3 == 2 ? subtract(two) : unite(two);
+      made = i % 3 == 2 ? subtract(two, WindingRule::positive, pieces) : unite(two, WindingRule::positive, pieces);
     }
     triangles = made.triangles.size();
   }
@@ -136,7 +136,8 @@ const bool added = [] {
   const TriangleMesh mesh = torus(224, {0, 0, 0});
   add("itself/100352", {mesh, mesh});
   add("pipes/2x36", pipes(6));
-  benchmark::RegisterBenchmark("chain/60/plumb", chain)->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("chain/60/plumb", chain, Pieces::of_polygons)->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("chain/60/unmerged/plumb", chain, Pieces::of_triangles)->Unit(benchmark::kMillisecond);
   return true;
 }();
 
