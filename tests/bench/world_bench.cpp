@@ -5,7 +5,7 @@
 // Scenes: `upright`, where no cube is turned; `turned`, each by its own angle about the upright axis; `resting`: each
 // cube is moved to where it is.  `one_moves`: of all of them one cube alone.  `many`: a hundred thousand cubes strewn in
 // space, of which one in a hundred moves; rays among them.  `stones`: two hundred meshes that move, with the proxies that a
-// plan takes, and without.
+// plan takes, and without.  Bullet and FCL have the stacks, and what is strewn.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -185,6 +185,57 @@ void bullet(benchmark::State& state, bool is_turned) {
 }
 BENCHMARK_CAPTURE(bullet, upright, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(bullet, turned, true)->Unit(benchmark::kMillisecond);
+
+/// The cubes that are strewn, where the library of a rival has them: its own stand on the middle of their faces.
+template <class Cubes>
+struct StrewnElsewhere {
+  Cubes cubes{100000};
+  Entropy entropy{4900};
+  std::vector<Vector3> places;
+
+  StrewnElsewhere() {
+    for (std::size_t n = 0; n < 100000; ++n) {
+      places.push_back(place());
+      put(n);
+    }
+    (void)cubes.detect();
+  }
+  Vector3 place() {
+    const auto side = [&] { return static_cast<double>(entropy.within(100000)) / 1000; };
+    return {side(), side(), side()};
+  }
+  void put(std::size_t n) { cubes.place(n, {places[n].x + 0.5, places[n].y + 0.5, places[n].z, 0}); }
+};
+
+template <class Cubes>
+void many_elsewhere(benchmark::State& state) {
+  StrewnElsewhere<Cubes> strewn;
+  std::size_t found = 0;
+  for (auto _ : state) {
+    for (std::size_t n = 0; n < strewn.places.size() / 100; ++n) {
+      const std::size_t k = strewn.entropy.below(strewn.places.size());
+      strewn.places[k].x += 0.05;
+      strewn.put(k);
+    }
+    found = strewn.cubes.detect();
+  }
+  state.counters["found"] = static_cast<double>(found);
+}
+BENCHMARK_TEMPLATE(many_elsewhere, rivals::BulletCubes)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(many_elsewhere, rivals::FclCubes)->Unit(benchmark::kMillisecond);
+
+void rays_in_bullet(benchmark::State& state) {
+  StrewnElsewhere<rivals::BulletCubes> strewn;
+  std::size_t hit = 0, asked = 0;
+  for (auto _ : state) {
+    const Vector3 from = strewn.place(), along = strewn.place();
+    const double far = 400 / std::hypot(along.x, along.y, along.z);  // beyond all of them
+    const std::array<double, 3> to{from.x + far * along.x, from.y + far * along.y, from.z + far * along.z};
+    hit += strewn.cubes.is_met({from.x, from.y, from.z}, to) ? 1 : 0, ++asked;
+  }
+  state.counters["hit"] = static_cast<double>(hit) / static_cast<double>(asked);
+}
+BENCHMARK(rays_in_bullet)->Unit(benchmark::kMicrosecond);
 #endif
 
 }  // namespace

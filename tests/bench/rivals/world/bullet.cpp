@@ -20,7 +20,8 @@ BulletCubes::BulletCubes(std::size_t n) : state_(std::make_unique<State>()) {
   for (std::size_t i = 0; i < n; ++i) {
     s.objects.push_back(std::make_unique<btCollisionObject>());
     s.objects.back()->setCollisionShape(&s.cube);
-    s.objects.back()->getWorldTransform().setOrigin(btVector3(static_cast<double>(i) * 10, 0, 0));
+    // In no order: its tree of boxes, which is never balanced, becomes a list of what comes in order.
+    s.objects.back()->getWorldTransform().setOrigin(btVector3(static_cast<double>(i * 48271 % 100003) * 10, 0, 0));
     s.world.addCollisionObject(s.objects.back().get());
   }
 }
@@ -41,6 +42,13 @@ std::size_t BulletCubes::detect() {
     points += static_cast<std::size_t>(state_->dispatcher.getManifoldByIndexInternal(i)->getNumContacts());
   }
   return points;
+}
+
+bool BulletCubes::is_met(const std::array<double, 3>& from, const std::array<double, 3>& to) const {
+  const btVector3 p(from[0], from[1], from[2]), q(to[0], to[1], to[2]);
+  btCollisionWorld::ClosestRayResultCallback found(p, q);
+  state_->world.rayTest(p, q, found);
+  return found.hasHit();
 }
 
 }  // namespace plumb::rivals
