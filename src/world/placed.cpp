@@ -34,7 +34,7 @@ Aabb3 box_of_upright(const query::UprightBox& box) {
   return {{low(0), low(1), low(2)}, {high(0), high(1), high(2)}};
 }
 
-/// Some bits wider than the least box, which rational numbers would be asked for; and that one where doubles know no bound.
+/// Tells a box some bits wider than the least one, which would ask rational numbers; that one where doubles know no bound.
 Aabb3 box_around(const MeshPose& pose, const Aabb3& box) {
   const Aabb3 quick = space::around(pose, box);
   return !is_empty(box) && space::is_bounded(quick) ? quick : transform(box, pose.view());

@@ -20,7 +20,7 @@ namespace {
 
 using Pair = std::pair<TriangleMesh, TriangleMesh>;
 
-/// A torus of 2 n n triangles.
+/// Makes a torus of 2 n n triangles.
 TriangleMesh torus(std::uint32_t n, const Vector3& at) {
   TriangleMesh mesh;
   const double part = 6.283185307179586 / n;
@@ -37,7 +37,7 @@ TriangleMesh torus(std::uint32_t n, const Vector3& at) {
 }
 Pair tori(std::uint32_t n) { return {torus(n, {0, 0, 0}), torus(n, {1.2345, 0.777, 0.321})}; }
 
-/// Blocks of n by n by 1 cells, with all faces of the cells that are outside.
+/// Makes blocks of n by n by 1 cells, of which all faces that are outside are kept.
 Pair grids(int n) {
   std::set<solids::Cell> cells;
   for (int i = 0; i < n; ++i)
@@ -57,7 +57,7 @@ Pair boxes(int n) {
   return walls;
 }
 
-/// Along the first axis, or the second.
+/// It leads along the first axis, or the second.
 TriangleMesh pipe(bool is_first, double across, double up, int sides, double length) {
   TriangleMesh mesh;
   const auto n = static_cast<std::uint32_t>(sides);

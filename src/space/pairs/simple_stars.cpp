@@ -25,14 +25,14 @@ Shown shown_by(const Triangle3& t) {
                             bits(orient2d({a.x, a.y}, {b.x, b.y}, {c.x, c.y})) << 4);
 }
 
-/// Of a triangle at a vertex, its other corners as they follow, and what it shows so.
+/// Holds a triangle's other corners, as they follow the vertex, and what it shows so.
 struct LinkEdge {
   std::uint32_t from, to;
   Shown shown;
 };
 constexpr LinkEdge turned(const LinkEdge& e) { return {e.to, e.from, opposite_of(e.shown)}; }
 
-/// The slots of each vertex, one after another.
+/// Holds the slots of each vertex, one after another.
 struct SlotsAround {
   std::vector<std::uint32_t> first, slot;
 
@@ -108,7 +108,7 @@ class Star {
     return rises == 1;
   }
 
-  /// A point on the side that the triangles may all show: a guess.
+  /// Guesses a point on the side that the triangles may all show.
   [[nodiscard]] Point3 seen_from(std::uint32_t v) const {
     const Point3& o = vertices_[v];
     double x = 0, y = 0, z = 0, reach = 0;
@@ -146,7 +146,7 @@ class Star {
   bool is_closed_ = false;
 };
 
-/// One for each vertex: is its star simple?
+/// Tells of each vertex whether its star is simple.
 template <class Mesh>
 std::vector<std::uint8_t> find_simple(const SlotMesh<Mesh>& mesh, std::size_t slots, Execution execution) {
   std::vector<std::uint8_t> is_simple(mesh.vertices.size());

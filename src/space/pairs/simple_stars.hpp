@@ -23,12 +23,12 @@ namespace plumb::space {
 
 class SimpleStars {
  public:
-  /// Of a mesh none of whose triangles is in two slots.
+  /// Takes a mesh none of whose triangles is in two slots.
   template <class Mesh>
   SimpleStars(const SlotMesh<Mesh>& mesh, std::size_t slots, Execution execution);
 
   [[nodiscard]] bool has(std::uint32_t vertex) const { return is_simple_[vertex] != 0; }
-  /// Do they share one of these vertices, and not all?
+  /// Do they share one of these vertices?  Then they have no more in common than what they share.
   [[nodiscard]] bool tell_apart(const Bvh::Corners& a, const Bvh::Corners& b) const {
     for (const std::uint32_t v : a) {
       if ((v == b[0] || v == b[1] || v == b[2]) && has(v)) return true;

@@ -19,7 +19,7 @@ struct DrawnHull {
   std::set<std::array<std::size_t, 2>> edges;
 };
 
-/// A hull of these points.
+/// Takes a hull of these points.
 DrawnHull drawn_hull(const Hull3& hull, std::span<const Point3> of);
 
 }  // namespace plumb::tool

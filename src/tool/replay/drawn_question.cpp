@@ -19,7 +19,7 @@ Point3 in_space(const Point3& p) { return p; }
 Point3 in_space(const Point2& p) { return {p.x, p.y, 0}; }
 Point3 moved(const Point3& p, const Vector3& by) { return {p.x + by.x, p.y + by.y, p.z + by.z}; }
 
-/// Along all axes and diagonals, and turning around an axis from pole to pole.
+/// They lead along all axes and diagonals, and turn around an axis from pole to pole.
 std::vector<Vector3> many_directions() {
   constexpr std::size_t turning = 300;
   std::vector<Vector3> all;
@@ -88,7 +88,7 @@ void draw_posed(std::vector<Point3> points, const AnyFigure& figure, DrawnFigure
   }
 }
 
-/// Twice as far as the points reach around their middle.
+/// It reaches twice as far as the points do around their middle.
 Aabb3 around(const std::vector<Point3>& points) {
   std::array<double, 3> least{-1, -1, -1}, most{1, 1, 1};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -215,7 +215,7 @@ class Marks {
   std::vector<DrawnMark> marks_;
 };
 
-/// The corners of a convex body's core; none of others.
+/// Tells the corners of a convex body's core, and none of what has no core.
 std::vector<Point3> core_corners(const AnyFigure& figure) {
   std::vector<Point3> corners;
   if (const auto core = query::CoreCorners::of(query::body_view(figure))) {
@@ -238,7 +238,7 @@ void add_steps(const QuestionLine& line, DrawnQuestion& to) {
   }
 }
 
-/// By one power of two, so that a script's doubles neither vanish nor overflow.
+/// Scales all by one power of two, so that a script's doubles neither vanish nor overflow.
 void bring_near_one(DrawnQuestion& q) {
   std::vector<std::vector<Point3>*> all;
   for (DrawnFigure& f : q.figures) all.push_back(&f.points), all.push_back(&f.corners);
