@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/growth_counters.hpp"
+#include "bench/report/growth_counters.hpp"
 #include "plumb/degenerate/entropy.hpp"
 #include "plumb/space/broad_phase/overlapping_pairs.hpp"
 #include "plumb/space/kd_tree/nearest_point.hpp"

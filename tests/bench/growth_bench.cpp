@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/growth_counters.hpp"
+#include "bench/report/growth_counters.hpp"
 #include "plumb/degenerate/coordinates.hpp"
 #include "plumb/space.hpp"
 #include "space/bvh/meshes.hpp"

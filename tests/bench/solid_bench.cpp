@@ -11,7 +11,7 @@
 #include <random>
 #include <utility>
 
-#include "bench/rivals/solid_rival.hpp"
+#include "bench/rivals/solid/rival.hpp"
 #include "figure/basic/solids.hpp"
 #include "plumb/surface/solid/boolean.hpp"
 

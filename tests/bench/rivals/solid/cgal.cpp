@@ -4,7 +4,7 @@
 
 #include <exception>
 
-#include "bench/rivals/solid_rival.hpp"
+#include "bench/rivals/solid/rival.hpp"
 
 namespace plumb::bench {
 namespace {
